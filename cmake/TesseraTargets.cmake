@@ -1,0 +1,61 @@
+# What every target of the project shares: standard, warnings, output folders, and one function per kind of target.
+include(CTest)
+include(GoogleTest)
+
+option(TESSERA_WITH_QT "Build what needs Qt: serial port, charts, command line" ON)
+option(TESSERA_UNITY "Compile each target's sources in one go" OFF)
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE RelWithDebInfo)
+endif()
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+endif()
+
+add_library(tessera_options INTERFACE)
+target_compile_options(tessera_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual -Wundef -Werror)
+
+# tessera_library(NAME SOURCES ... [DEPS ...] [LIBS ...])
+# One folder of core/ or firmware/ as one static library called tessera_NAME. DEPS are the folders that it may know
+# (their names without the prefix); LIBS are outside libraries.
+function(tessera_library NAME)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPS;LIBS" ${ARGN})
+  set(target tessera_${NAME})
+  if(ARG_SOURCES)
+    add_library(${target} STATIC ${ARG_SOURCES})
+    set(scope PUBLIC)
+    target_link_libraries(${target} PRIVATE tessera_options)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ${TESSERA_UNITY})
+  else()
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_include_directories(${target} ${scope} "${PROJECT_SOURCE_DIR}/core" "${PROJECT_SOURCE_DIR}")
+  foreach(dep IN LISTS ARG_DEPS)
+    target_link_libraries(${target} ${scope} tessera_${dep})
+  endforeach()
+  target_link_libraries(${target} ${scope} ${ARG_LIBS})
+endfunction()
+
+# tessera_test(NAME SOURCES ... [DEPS ...] [LIBS ...] [LABELS ...])
+# A GoogleTest program whose cases ctest lists one by one.
+function(tessera_test NAME)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPS;LIBS;LABELS" ${ARGN})
+  add_executable(${NAME} ${ARG_SOURCES})
+  set_target_properties(${NAME} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests" UNITY_BUILD ${TESSERA_UNITY})
+  target_include_directories(${NAME} PRIVATE "${PROJECT_SOURCE_DIR}/tests" "${PROJECT_SOURCE_DIR}")
+  foreach(dep IN LISTS ARG_DEPS)
+    target_link_libraries(${NAME} PRIVATE tessera_${dep})
+  endforeach()
+  target_link_libraries(${NAME} PRIVATE tessera_options GTest::gtest GTest::gmock GTest::gtest_main ${ARG_LIBS})
+  gtest_discover_tests(${NAME} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${ARG_LABELS}")
+endfunction()
