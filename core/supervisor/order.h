@@ -1,0 +1,57 @@
+// What an operator (or a programme) asks of the supervisor. Plain values, posted from any thread, carried out at the
+// next tick. An order that cannot be carried out becomes an event with the reason; none is dropped in silence.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "base/ids.h"
+#include "base/units.h"
+#include "wire/messages.h"
+
+namespace tessera::supervisor {
+
+/// Drive along a route of the site, from wherever the vehicle stands near it, at most this fast. Replaces a running
+/// one.
+struct RunRoute {
+  VehicleId vehicle;
+  std::string route;
+  MetresPerSecond speed;  ///< above 0; limited to the vehicle's own maximum
+  bool operator==(const RunRoute&) const = default;
+};
+
+/// Stand, and keep the route: Resume goes on from here.
+struct Pause {
+  VehicleId vehicle;
+  bool operator==(const Pause&) const = default;
+};
+struct Resume {
+  VehicleId vehicle;
+  bool operator==(const Resume&) const = default;
+};
+
+/// Stand and give the route up. Goes before everything else on the air. Nothing moves again without a new RunRoute.
+struct Stop {
+  VehicleId vehicle;
+  bool operator==(const Stop&) const = default;
+};
+struct StopAll {
+  bool operator==(const StopAll&) const = default;
+};
+
+/// Forget latched faults whose cause is gone.
+struct Clear {
+  VehicleId vehicle;
+  bool operator==(const Clear&) const = default;
+};
+
+/// Read or write a parameter, or start an action. The answer comes as an event of kind Answer.
+struct Ask {
+  VehicleId vehicle;
+  wire::Request request;
+  bool operator==(const Ask&) const = default;
+};
+
+using Order = std::variant<RunRoute, Pause, Resume, Stop, StopAll, Clear, Ask>;
+
+}  // namespace tessera::supervisor

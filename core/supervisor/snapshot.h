@@ -1,0 +1,123 @@
+// The supervisor's picture of the fleet at one instant: immutable values that any thread may keep and read.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/ids.h"
+#include "base/pose.h"
+#include "wire/messages.h"
+
+namespace tessera::supervisor {
+
+enum class PortState { Closed, Open, Lost };
+
+struct PortView {
+  PortState state = PortState::Closed;
+  std::string name;
+  std::string sentence;  ///< "The port /dev/ttyUSB0 is open."
+};
+
+/// How we stand with a vehicle on the air.
+enum class Contact {
+  Calling,    ///< never heard, or called again after a restart
+  Connected,  ///< a session stands and reports come
+  Silent,     ///< a session stood, reports stay away
+  Refused,    ///< wrong key or wrong protocol version
+};
+
+/// What a vehicle is busy with, as far as orders go.
+enum class Task { None, Running, Paused, Stopped, Finished };
+
+enum class CommandStatus {
+  Sent,
+  Acknowledged,  ///< the vehicle took it
+  Done,          ///< Stop and Clear: the vehicle stands; Drive: replaced by a later acknowledged one
+  Expired,       ///< its time ran out before it was acknowledged or replaced
+};
+
+struct CommandView {
+  wire::CommandMode mode = wire::CommandMode::Poll;
+  MetresPerSecond speed;  ///< negative backwards
+  Radians heading;        ///< site frame
+  Seconds sentAt;
+  Seconds expiry;  ///< after reception
+  CommandStatus status = CommandStatus::Sent;
+};
+
+struct LinkView {
+  std::optional<Seconds> lastHeard;  ///< instant of the last good report; nullopt: none yet
+  Seconds age;                       ///< since lastHeard (since the start when nullopt)
+  Seconds roundTrip;                 ///< smoothed, vehicle's own waiting taken out
+  double loss = 0.0;                 ///< share of recent polls that stayed without answer, 0 to 1
+  std::uint32_t reports = 0;
+  std::uint32_t missed = 0;
+  std::uint32_t forged = 0;
+  std::uint32_t replayed = 0;
+  std::uint32_t restarts = 0;
+  std::uint32_t tagEventsLost = 0;
+};
+
+struct VehicleView {
+  VehicleId id;
+  std::string name;
+  Contact contact = Contact::Calling;
+  Task task = Task::None;
+  wire::VehicleState state = wire::VehicleState::Standing;  ///< of the last report
+  std::uint16_t faults = 0;                                 ///< wire::Fault bits of the last report
+  bool located = false;
+  Pose pose;                           ///< estimate for the snapshot's time
+  std::array<double, 9> covariance{};  ///< of x, y (m) and heading (rad), row by row
+  Pose predicted;                      ///< where it will be when a command sent now takes effect
+  MetresPerSecond speed;               ///< of the last report
+  double batteryVolts = 0.0;
+  std::optional<Metres> obstacle;  ///< nearest one that a ranger sees
+  LinkView link;
+  std::string firmware;  ///< "1.0.0 on lm3s6965"; empty before identification
+  std::string route;     ///< empty: none
+  Metres progress;       ///< along the route
+  Metres length;         ///< of the route
+  Metres crossTrack;     ///< positive to the left of the route
+  std::optional<CommandView> command;
+  std::string waits;        ///< why it stands although it should go: one sentence; empty when it does not wait
+  std::uint32_t reads = 0;  ///< tag reads taken by the locator
+  bool finished = false;    ///< the route's end was reached
+};
+
+struct ChannelView {
+  Seconds cycle;           ///< smoothed time between two commands to the same vehicle
+  Seconds slot;            ///< length of an answer slot
+  double airFactor = 1.0;  ///< measured airtime over the formula's
+  std::uint32_t frames = 0;
+  std::uint32_t damaged = 0;
+  std::uint32_t skippedBytes = 0;
+};
+
+struct Snapshot {
+  Seconds time;
+  PortView port;
+  ChannelView channel;
+  std::vector<VehicleView> vehicles;  ///< in the order of the site
+
+  /// Nullptr: no such vehicle.
+  [[nodiscard]] const VehicleView* find(VehicleId id) const {
+    for (const VehicleView& v : vehicles)
+      if (v.id == id) return &v;
+    return nullptr;
+  }
+};
+
+/// Lower case: "calling", "running", "acknowledged", "standing" and so on.
+[[nodiscard]] std::string_view nameOf(PortState state);
+[[nodiscard]] std::string_view nameOf(Contact contact);
+[[nodiscard]] std::string_view nameOf(Task task);
+[[nodiscard]] std::string_view nameOf(CommandStatus status);
+[[nodiscard]] std::string_view nameOf(wire::VehicleState state);
+/// "motor-stall" and so on, one per bit set, in the order of the bits.
+[[nodiscard]] std::vector<std::string_view> namesOfFaults(std::uint16_t faults);
+
+}  // namespace tessera::supervisor
