@@ -1,0 +1,35 @@
+// What the controller tells a vehicle, and what is known of the vehicle's ability to obey.
+#pragma once
+
+#include "base/pose.h"
+#include "floor/site.h"
+
+namespace tessera::drive {
+
+/// Ctrl(V, Dir) of the publication: hold this speed and this heading until the next command.
+struct Command {
+  MetresPerSecond speed;  ///< 0: stand, and turn on the spot if the heading asks for it
+  Radians heading;  ///< true heading in the site frame; the compass' bias is added where the wire's bearing is made
+  bool operator==(const Command&) const = default;
+};
+
+/// A command and the span in which it is (or is expected to be) in force on the vehicle, by the host's clock. `until`
+/// is where the next takes over or it expires; then the vehicle brakes and keeps its heading.
+struct TimedCommand {
+  Command command;
+  Seconds from;
+  Seconds until;
+};
+
+/// How a vehicle obeys: its heading loop turns it by headingGain·error, limited; its speed goes in ramps.
+struct VehicleAbility {
+  MetresPerSecond maxSpeed{0.5};
+  RadiansPerSecond maxTurnRate{1.5};
+  MetresPerSecond2 acceleration{0.5};
+  double headingGain = 3.0;  ///< 1/s, of the vehicle's heading hold
+  Metres reach{0.15};        ///< from the wheels' middle to the readers, for choosing a look-ahead
+};
+
+[[nodiscard]] VehicleAbility abilityOf(const floor::VehicleSetup& setup);
+
+}  // namespace tessera::drive

@@ -1,0 +1,71 @@
+// Leads one vehicle along one route: from the state expected when the next command takes effect to that command, with
+// the reason for it. Pure: no clock, no radio; one object per vehicle and drive.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/polyline.h"
+#include "base/result.h"
+#include "drive/command.h"
+#include "drive/predictor.h"
+#include "drive/speed_plan.h"
+
+namespace tessera::drive {
+
+enum class Phase {
+  Approaching,  ///< on the way to the route's start
+  OnLeg,        ///< following a leg
+  Turning,      ///< standing at a vertex, turning to the next leg
+  Finished,     ///< at the route's end, or past it; stands
+  Lost,         ///< place unknown, or too far from the route; stands
+};
+
+/// The state when the next command takes effect, and how long that command will hold on at least.
+struct PredictedState {
+  VehicleState state;
+  Seconds delay;  ///< period of commands plus the part of the radio's delay that is not predicted; 0.1 to 1 s is usual
+};
+
+struct Decision {
+  Command command;
+  Phase phase = Phase::Lost;
+  Metres progress;      ///< along the route; never falls while following
+  Metres crossTrack;    ///< signed distance from the line, positive to its left
+  Metres remaining;     ///< to the route's end
+  std::size_t leg = 0;  ///< 0 for the first
+  Point target;         ///< the point aimed at
+  SpeedReason speedReason = SpeedReason::Requested;
+  Radians headingError;  ///< from the state's heading to the command's
+};
+
+/// One English sentence for the operator, e.g. "Leg 2 of 5, 0.34 m to go on it: slowing to 0.06 m/s before the corner."
+[[nodiscard]] std::string sentence(const Decision& decision, const Polyline& route);
+
+class RouteFollower {
+public:
+  virtual ~RouteFollower() = default;
+  /// Does not allocate. `now` must not fall from call to call.
+  virtual Decision decide(const PredictedState& predicted, Seconds now) = 0;
+  [[nodiscard]] virtual const Polyline& route() const = 0;
+  [[nodiscard]] virtual std::string_view name() const = 0;
+};
+
+struct FollowerSetup {
+  floor::Route route;
+  VehicleAbility ability;
+  SpeedPlanOptions plan;  ///< plan.requested is the speed asked for
+};
+
+/// Names that makeRouteFollower knows; the first is the default.
+[[nodiscard]] std::span<const std::string_view> followerNames();
+
+/// Error: unknown name, a route of fewer than two different points or with numbers that are none, a requested speed
+/// that is not positive or above the vehicle's.
+[[nodiscard]] Result<std::unique_ptr<RouteFollower>> makeRouteFollower(std::string_view name,
+                                                                       const FollowerSetup& setup);
+
+}  // namespace tessera::drive
