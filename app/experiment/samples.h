@@ -1,0 +1,49 @@
+// What an experiment records: at each tick of the supervisor what it believed and ordered, beside what was true.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/pose.h"
+
+namespace tessera::experiment {
+
+/// What the supervisor knew at one tick; times are the run's clock.
+struct Belief {
+  Seconds at;
+  Pose pose;
+  bool located = false;
+  MetresPerSecond commandSpeed;
+  Radians commandHeading;
+  bool driving = false;  ///< under orders on the route, i.e. begun and not yet finished
+};
+
+/// The vehicle as the world knows it.
+struct Truth {
+  Seconds at;
+  Pose pose;
+  MetresPerSecond speed;
+};
+
+struct Sample {
+  Belief belief;
+  Truth truth;  ///< of the same instant
+};
+
+/// True poses of one vehicle in the order of time, interpolated in between.
+class TruthTrack {
+public:
+  TruthTrack() = default;
+  explicit TruthTrack(std::vector<Truth> poses) : poses_{std::move(poses)} {}
+  /// Nullopt before the first and after the last pose.
+  [[nodiscard]] std::optional<Truth> at(Seconds when) const;
+  [[nodiscard]] const std::vector<Truth>& poses() const { return poses_; }
+
+private:
+  std::vector<Truth> poses_;
+};
+
+/// Beliefs for which the truth is known, each with it.
+[[nodiscard]] std::vector<Sample> pair(const std::vector<Belief>& beliefs, const TruthTrack& truth);
+
+}  // namespace tessera::experiment
