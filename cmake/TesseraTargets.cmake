@@ -3,6 +3,13 @@ include(CTest)
 include(GoogleTest)
 
 option(TESSERA_WITH_QT "Build what needs Qt: serial port, charts, command line" ON)
+find_program(TESSERA_ARM_COMPILER arm-none-eabi-g++ DOC "Cross compiler for the vehicle's microcontroller")
+if(TESSERA_ARM_COMPILER)
+  set(arm_default ON)
+else()
+  set(arm_default OFF)
+endif()
+option(TESSERA_WITH_ARM "Build the firmware's ELF for the LM3S6965" ${arm_default})
 option(TESSERA_UNITY "Compile each target's sources in one go" OFF)
 
 set(CMAKE_CXX_STANDARD 20)
@@ -47,7 +54,8 @@ function(tessera_library NAME)
 endfunction()
 
 # tessera_test(NAME SOURCES ... [DEPS ...] [LIBS ...] [LABELS ...])
-# A GoogleTest program whose cases ctest lists one by one.
+# A GoogleTest program whose cases ctest lists one by one. LABELS is one of unit (the default), scenario (closed loops,
+# seconds long), window, qemu (needs the ELF and the emulator, runs in real time).
 function(tessera_test NAME)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPS;LIBS;LABELS" ${ARGN})
   add_executable(${NAME} ${ARG_SOURCES})
@@ -56,6 +64,9 @@ function(tessera_test NAME)
   foreach(dep IN LISTS ARG_DEPS)
     target_link_libraries(${NAME} PRIVATE tessera_${dep})
   endforeach()
+  if(NOT ARG_LABELS)
+    set(ARG_LABELS unit)
+  endif()
   target_link_libraries(${NAME} PRIVATE tessera_options GTest::gtest GTest::gmock GTest::gtest_main ${ARG_LIBS})
   gtest_discover_tests(${NAME} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${ARG_LABELS}")
 endfunction()
