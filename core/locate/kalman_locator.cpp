@@ -197,9 +197,15 @@ bool KalmanLocator::agree(const Record& earlier, const Record& later, double bia
   return (expected - later.tag).norm() < 2.0 * model_.radius + kAgreement;
 }
 
+bool KalmanLocator::trusted(const State& state) const {
+  Estimate estimate;
+  estimate.covariance = state.filter.poseCovariance(options_);
+  return state.rejectedInRow <= kDoubtAfter && estimate.positionSigma() < Metres{options_.largestSigma};
+}
+
 void KalmanLocator::findAnew(std::size_t latest) {
   const Record read = records_[latest];
-  if (!read.after.filter.placed()) return startFrom(read);
+  if (!read.after.filter.placed() || !trusted(read.after)) return startFrom(read);
   // Carried while it stood: its wheels have not turned since a read that was believed.
   const double travel = odometry_.at(read.at).travel;
   const bool stands = std::abs(travel - odometry_.at(read.at - kStandingTime).travel) < kStanding;

@@ -64,6 +64,8 @@ private:
   [[nodiscard]] SilentAttempts silentAttempts(int reader, double at, double direction, const State& state) const;
   /// Looks for a place that explains the reads which contradict the estimate, and starts anew from it.
   void findAnew(std::size_t latest);
+  /// False when a single read is better evidence than the estimate.
+  [[nodiscard]] bool trusted(const State& state) const;
   [[nodiscard]] bool agree(const Record& earlier, const Record& later, double bias) const;
   void startFrom(const Record& read);
   [[nodiscard]] Eigen::Vector2d lever(int reader, double heading) const;
