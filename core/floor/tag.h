@@ -27,6 +27,8 @@ public:
   [[nodiscard]] bool empty() const { return size_ == 0; }
   /// Upper-case hexadecimal digits without separators.
   [[nodiscard]] std::string text() const;
+  /// Well spread 64 bits; another salt gives an unrelated value.
+  [[nodiscard]] std::uint64_t hash(std::uint64_t salt) const;
   auto operator<=>(const TagUid&) const = default;
 
 private:

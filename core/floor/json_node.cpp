@@ -1,0 +1,148 @@
+#include "floor/json_node.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace tessera::floor {
+namespace {
+
+using nlohmann::json;
+
+std::string escaped(std::string_view key) {
+  std::string s;
+  for (char c : key) s += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+  return s;
+}
+
+std::string shortened(std::string s) {
+  constexpr std::size_t longest = 60;
+  if (s.size() <= longest) return s;
+  std::size_t end = longest;
+  while (end > 0 && (static_cast<unsigned char>(s[end]) & 0xC0U) == 0x80U) --end;  // not inside a UTF-8 character
+  return s.substr(0, end) + "...";
+}
+
+std::string described(const json* value) {
+  if (value == nullptr) return "nothing";
+  if (value->is_object()) return "an object";
+  if (value->is_array()) return "an array of " + std::to_string(value->size());
+  return shortened(value->dump(-1, ' ', false, json::error_handler_t::replace));
+}
+
+// 0.6 as "0.6".
+std::string plain(double v) { return json(v).dump(); }
+
+bool contains(std::initializer_list<std::string_view> keys, std::string_view key) {
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+}  // namespace
+
+void JsonErrors::add(const std::string& pointer, const std::string& sentence) {
+  if (!first_) first_ = Error{document_ + ": " + (pointer.empty() ? "the document" : pointer) + ": " + sentence};
+}
+
+std::string JsonNode::pointer() const {
+  if (parent_ == nullptr) return {};
+  return parent_->pointer() + "/" + (key_.empty() ? std::to_string(index_) : escaped(key_));
+}
+
+void JsonNode::fail(const std::string& expected) const {
+  errors_.add(pointer(), "expected " + expected + ", found " + described(value_) + ".");
+}
+
+void JsonNode::secretFail(const std::string& expected) const {
+  errors_.add(pointer(), "expected " + expected + ", found something else.");
+}
+
+void JsonNode::object(std::initializer_list<std::string_view> required,
+                      std::initializer_list<std::string_view> optional) {
+  if (value_ == nullptr || !value_->is_object()) return fail("an object");
+  for (const auto& [key, value] : value_->items()) {
+    if (contains(required, key) || contains(optional, key)) continue;
+    std::string known;
+    for (auto keys : {required, optional}) {
+      for (std::string_view k : keys) known += (known.empty() ? "" : ", ") + std::string{k};
+    }
+    return errors_.add(pointer() + "/" + escaped(shortened(key)),
+                       "there is no such key here; expected one of " + known + ".");
+  }
+  for (std::string_view key : required) {
+    if (!value_->contains(key)) {
+      return errors_.add(pointer() + "/" + escaped(key), "expected this key, which is missing.");
+    }
+  }
+}
+
+JsonNode JsonNode::operator[](std::string_view key) const {
+  const json* child = nullptr;
+  if (value_ != nullptr && value_->is_object()) {
+    if (const auto found = value_->find(key); found != value_->end()) child = &*found;
+  }
+  return {*this, child, key, 0};
+}
+
+JsonNode JsonNode::operator[](std::size_t index) const {
+  const bool inside = value_ != nullptr && value_->is_array() && index < value_->size();
+  return {*this, inside ? &(*value_)[index] : nullptr, {}, index};
+}
+
+bool JsonNode::isNull() const { return value_ != nullptr && value_->is_null(); }
+
+double JsonNode::number(double low, double high, std::string_view unit) const {
+  if (value_ != nullptr && value_->is_number()) {
+    const double v = value_->get<double>();
+    if (v >= low && v <= high) return v == 0.0 ? 0.0 : v;  // no minus zero
+  }
+  fail("a number of " + std::string{unit} + " from " + plain(low) + " to " + plain(high));
+  return low;
+}
+
+int JsonNode::integer(int low, int high) const {
+  if (value_ != nullptr && value_->is_number()) {
+    // 3.0 is as much of an integer as 3, as JSON Schema sees it.
+    const double v = value_->get<double>();
+    if (v >= low && v <= high && v == std::floor(v)) return static_cast<int>(v);
+  }
+  fail("a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+  return low;
+}
+
+bool JsonNode::boolean() const {
+  if (value_ != nullptr && value_->is_boolean()) return value_->get<bool>();
+  fail("true or false");
+  return false;
+}
+
+std::string JsonNode::text(std::size_t shortest, std::size_t longest) const {
+  if (value_ != nullptr && value_->is_string()) {
+    const auto& s = value_->get_ref<const std::string&>();
+    const auto characters = static_cast<std::size_t>(
+        std::count_if(s.begin(), s.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+    if (characters >= shortest && characters <= longest) return s;
+  }
+  fail("a text of " + std::to_string(shortest) + " to " + std::to_string(longest) + " characters");
+  return {};
+}
+
+std::size_t JsonNode::choice(const std::vector<std::string_view>& choices) const {
+  if (value_ != nullptr && value_->is_string()) {
+    const auto found = std::find(choices.begin(), choices.end(), value_->get_ref<const std::string&>());
+    if (found != choices.end()) return static_cast<std::size_t>(found - choices.begin());
+  }
+  std::string known;
+  for (std::string_view c : choices) known += (known.empty() ? "\"" : ", \"") + std::string{c} + "\"";
+  fail("one of " + known);
+  return 0;
+}
+
+std::size_t JsonNode::array(std::size_t fewest, std::size_t most) const {
+  if (value_ != nullptr && value_->is_array() && value_->size() >= fewest && value_->size() <= most) {
+    return value_->size();
+  }
+  fail("an array of " + std::to_string(fewest) + " to " + std::to_string(most) + " elements");
+  return 0;
+}
+
+}  // namespace tessera::floor

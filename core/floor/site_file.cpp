@@ -1,0 +1,112 @@
+// Site files on disk: read whole, written so that nothing half-written is ever seen.
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include "floor/site_json.h"
+
+namespace tessera::floor {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason(int error) { return std::generic_category().message(error); }
+
+// A temporary file that is gone again unless it took its final name.
+class TemporaryFile {
+public:
+  explicit TemporaryFile(const fs::path& beside) : name_{beside.string() + ".XXXXXX"} {
+    handle_ = ::mkstemp(name_.data());
+    exists_ = handle_ >= 0;
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() {
+    if (handle_ >= 0) ::close(handle_);
+    if (exists_) ::unlink(name_.c_str());
+  }
+  [[nodiscard]] bool open() const { return exists_; }
+  [[nodiscard]] bool write(const std::string& text) const {
+    std::size_t done = 0;
+    while (done < text.size()) {
+      const ssize_t n = ::write(handle_, text.data() + done, text.size() - done);
+      if (n < 0 && errno == EINTR) continue;
+      if (n <= 0) return false;
+      done += static_cast<std::size_t>(n);
+    }
+    return true;
+  }
+  // mkstemp lets nobody else read: give the rights of the file that is replaced, or those of any new file.
+  [[nodiscard]] bool rights(const fs::path& of) const {
+    struct stat old {};
+    if (::stat(of.c_str(), &old) == 0) return ::fchmod(handle_, old.st_mode & 07777) == 0;
+    return ::fchmod(handle_, 0640) == 0;
+  }
+  [[nodiscard]] bool sync() const { return ::fsync(handle_) == 0; }
+  [[nodiscard]] bool rename(const fs::path& to) {
+    if (::rename(name_.c_str(), to.c_str()) != 0) return false;
+    exists_ = false;
+    return true;
+  }
+
+private:
+  std::string name_;
+  int handle_ = -1;
+  bool exists_ = false;
+};
+
+// A rename is safe from a power cut once its folder is on disk. Not every file system can; the file is whole all the
+// same.
+void syncFolder(const fs::path& folder) {
+  const int handle = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (handle < 0) return;
+  static_cast<void>(::fsync(handle));
+  ::close(handle);
+}
+
+}  // namespace
+
+Result<Site> loadSite(const fs::path& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) return failure(path.string() + ": expected a site file, found a folder.");
+  std::ifstream in{path, std::ios::binary};
+  if (!in) return failure(path.string() + ": cannot be read: " + reason(errno) + ".");
+  // Reads no more than parseSite would take, whatever the file's size says (it may be a device).
+  constexpr std::size_t most = (std::size_t{64} << 20) + 1;
+  std::string text;
+  std::array<char, 65536> block{};
+  while (in && text.size() < most) {
+    in.read(block.data(), block.size());
+    text.append(block.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  if (in.bad()) return failure(path.string() + ": cannot be read to its end.");
+  return parseSite(text, path.string());
+}
+
+Result<void> saveSite(const Site& site, const fs::path& path) {
+  // A link stays a link: what it leads to is replaced.
+  std::error_code error;
+  const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
+  const auto failed = [&path](const char* what) {
+    return failure(path.string() + ": " + what + ": " + reason(errno) + ". The file was not changed.");
+  };
+  TemporaryFile file{target};
+  if (!file.open()) return failed("a temporary file beside it cannot be made");
+  if (!file.write(writeSite(site))) return failed("cannot be written");
+  if (!file.rights(target)) return failed("cannot be given its rights");
+  if (!file.sync()) return failed("cannot be brought to disk");
+  if (!file.rename(target)) return failed("cannot be replaced");
+  syncFolder(target.parent_path());
+  return {};
+}
+
+}  // namespace tessera::floor
