@@ -26,8 +26,8 @@ struct VehicleAbility {
   MetresPerSecond maxSpeed{0.5};
   RadiansPerSecond maxTurnRate{1.5};
   MetresPerSecond2 acceleration{0.5};
+  Seconds lag{0.10};         ///< of wheels behind their set speed
   double headingGain = 3.0;  ///< 1/s, of the vehicle's heading hold
-  Metres reach{0.15};        ///< from the wheels' middle to the readers, for choosing a look-ahead
 };
 
 [[nodiscard]] VehicleAbility abilityOf(const floor::VehicleSetup& setup);

@@ -17,11 +17,11 @@
 namespace tessera::drive {
 
 enum class Phase {
-  Approaching,  ///< on the way to the route's start
+  Approaching,  ///< on the way to the route's start, or back to where it left the route
   OnLeg,        ///< following a leg
   Turning,      ///< standing at a vertex, turning to the next leg
   Finished,     ///< at the route's end, or past it; stands
-  Lost,         ///< place unknown, or too far from the route; stands
+  Lost,         ///< place unknown; stands
 };
 
 /// The state when the next command takes effect, and how long that command will hold on at least.
@@ -48,8 +48,11 @@ struct Decision {
 class RouteFollower {
 public:
   virtual ~RouteFollower() = default;
-  /// Does not allocate. `now` must not fall from call to call.
+  /// Does not allocate but when it lays a way to the route: at the start, and after the vehicle was carried. `now` must
+  /// not fall from call to call.
   virtual Decision decide(const PredictedState& predicted, Seconds now) = 0;
+  /// False: give it the state as it is known now; it is one of those that know nothing of the delay.
+  [[nodiscard]] virtual bool wantsPrediction() const { return true; }
   [[nodiscard]] virtual const Polyline& route() const = 0;
   [[nodiscard]] virtual std::string_view name() const = 0;
 };

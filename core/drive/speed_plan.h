@@ -2,15 +2,12 @@
 // delay, and by doubt about its place (regulated pure pursuit, Macenski et al., arXiv 2305.20026, in the same spirit).
 #pragma once
 
-#include <vector>
-
-#include "base/polyline.h"
 #include "drive/command.h"
 
 namespace tessera::drive {
 
 /// Why the speed is what it is; the strictest reason.
-enum class SpeedReason { Requested, Corner, End, Delay, Uncertainty, Heading, Approach };
+enum class SpeedReason { Requested, Corner, End, Delay, Uncertainty, Heading };
 
 struct SpeedLimit {
   MetresPerSecond speed;
@@ -22,26 +19,35 @@ struct SpeedPlanOptions {
   Radians sharpCorner{0.35};    ///< from here on the vehicle stops at the vertex and turns on the spot
   double brakingShare = 0.5;    ///< of the vehicle's acceleration, used for planned braking
   MetresPerSecond creep{0.03};  ///< slowest speed short of standing; reaches a vertex in finite time
-  Metres stopTolerance{0.01};   ///< a stop counts as reached this far before the vertex
-  Metres largestSigma{0.12};    ///< with more doubt than this it creeps
+  Metres stopTolerance{0.008};  ///< a vertex counts as reached from here on: about the way that the braking still takes
+  Metres easySigma{0.03};       ///< up to this doubt about the place the speed is not cut
+  Metres largestSigma{0.12};    ///< from this doubt on it creeps
+  Metres shortestLook{0.15};    ///< look-ahead of the tracking law at low speed
+  Metres longestLook{0.60};     ///< and at most
 };
 
-/// Speed along one route. The route's vertices where it has to stop are found once.
+/// What the tracking law looks at, at this speed: as far as stability asks (vT/L <= 0.25, heading loop well damped).
+[[nodiscard]] Metres lookAhead(MetresPerSecond speed, Seconds delay, const VehicleAbility& ability,
+                               const SpeedPlanOptions& options);
+
 class SpeedPlan {
 public:
-  SpeedPlan(const Polyline& route, const VehicleAbility& ability, const SpeedPlanOptions& options);
+  SpeedPlan(const VehicleAbility& ability, const SpeedPlanOptions& options) : ability_{ability}, options_{options} {}
 
-  /// Distance of the next vertex at which the vehicle stops, at or after `along`; the route's length for the last.
-  [[nodiscard]] Metres nextStop(Metres along) const;
-  [[nodiscard]] bool stopsAt(std::size_t vertex) const { return stops_.at(vertex); }
-  /// delay: what the command in force holds on for at least (update period and jitter of the way there); lookAhead: of
-  /// the tracking law, which is stable below 0.25·lookAhead/delay.
-  [[nodiscard]] SpeedLimit at(Metres along, Metres stop, Seconds delay, Metres lookAhead, Metres sigma) const;
+  struct Situation {
+    Metres toStop;         ///< way left to the next vertex at which it stops
+    bool stopIsEnd;        ///< that vertex is the route's end
+    Seconds delay;         ///< what the command holds on for at least: period and jitter of the way there
+    Metres sigma;          ///< doubt about the place
+    Radians headingError;  ///< between the nose and the way to go
+  };
+  [[nodiscard]] SpeedLimit at(const Situation& situation) const;
+  /// Whether a vehicle stops where the line turns by this much.
+  [[nodiscard]] bool isSharp(Radians turn) const { return abs(turn) >= options_.sharpCorner; }
   [[nodiscard]] const SpeedPlanOptions& options() const { return options_; }
+  [[nodiscard]] const VehicleAbility& ability() const { return ability_; }
 
 private:
-  std::vector<Metres> starts_;
-  std::vector<bool> stops_;
   VehicleAbility ability_;
   SpeedPlanOptions options_;
 };

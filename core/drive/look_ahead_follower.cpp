@@ -1,0 +1,122 @@
+#include "drive/look_ahead_follower.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tessera::drive {
+namespace {
+
+constexpr Metres kOnRoute{0.03};      // a vehicle this near to the start needs no way to it
+constexpr Metres kOffRoute{0.40};     // farther away it was carried, and is led back by a way of its own
+constexpr Metres kWindow{0.50};       // ahead of the progress, in which the nearest point is looked for
+constexpr Radians kAligned{0.087};    // 5°: turning on the spot ends
+constexpr Radians kMisaligned{1.05};  // 60°: it stops and turns on the spot in the middle of a leg, too
+
+}  // namespace
+
+LookAheadFollower::LookAheadFollower(const FollowerSetup& setup)
+    : route_{setup.route.vertices}, plan_{setup.ability, setup.plan} {}
+
+void LookAheadFollower::layPath(Point from) {
+  const Metres reached = laid_ ? std::max(Metres{}, progress_ - approach_) + skipped_ : Metres{};
+  const Point join = route_.at(reached);
+  std::vector<Point> vertices;
+  const bool away = distance(from, join) > kOnRoute;
+  if (away) vertices.push_back(from);
+  vertices.push_back(join);
+  for (std::size_t v = route_.legAt(reached) + 1; v < route_.vertices().size(); ++v)
+    vertices.push_back(route_.vertices()[v]);
+  path_ = Polyline{vertices};
+  approach_ = away ? distance(from, join) : Metres{};
+  skipped_ = reached;
+  progress_ = Metres{};
+  laid_ = true;
+  turning_ = true;
+  findStop();
+}
+
+void LookAheadFollower::findStop() {
+  stop_ = path_.legAt(progress_) + 1;
+  while (stop_ < path_.legCount() && !plan_.isSharp(turnBetween(path_.headingOf(stop_ - 1), path_.headingOf(stop_))))
+    ++stop_;
+}
+
+Point LookAheadFollower::aim(Metres look) const {
+  const Metres ahead = progress_ + look;
+  const Metres stop = path_.startOf(stop_);
+  if (ahead <= stop) return path_.at(ahead);
+  // Beyond a stop the last leg is thought on, so that the aim keeps its distance and never falls behind the nose.
+  return path_.at(stop) + (ahead - stop).value() * turned({Metres{1.0}, Metres{}}, path_.headingOf(stop_ - 1));
+}
+
+void LookAheadFollower::report(Decision& decision, const VehicleState& state) const {
+  decision.progress = std::min(route_.length(), std::max(Metres{}, progress_ - approach_) + skipped_);
+  decision.remaining = route_.length() - decision.progress;
+  decision.crossTrack = across_;
+  decision.leg = route_.legAt(decision.progress);
+  decision.headingError = turnBetween(state.pose.heading, decision.command.heading);
+}
+
+Decision LookAheadFollower::stand(Phase phase, Radians heading, const VehicleState& state) const {
+  Decision decision;
+  decision.command = {MetresPerSecond{0.0}, heading};
+  decision.phase = phase;
+  decision.target = state.pose.position;
+  report(decision, state);
+  return decision;
+}
+
+Decision LookAheadFollower::decide(const PredictedState& predicted, Seconds now) {
+  static_cast<void>(now);
+  const VehicleState& state = predicted.state;
+  const Point here = state.pose.position;
+  if (finished_) return stand(Phase::Finished, holding_, state);
+  const double sane = here.x.value() + here.y.value() + state.pose.heading.value() + state.speed.value();
+  if (!state.located || !std::isfinite(sane))
+    return stand(Phase::Lost, std::isfinite(state.pose.heading.value()) ? state.pose.heading : Radians{}, state);
+  if (!laid_) layPath(here);
+
+  Polyline::Projection near = path_.project(here, progress_, std::min(progress_ + kWindow, path_.startOf(stop_)));
+  if (distance(near.nearest, here) > kOffRoute) {
+    layPath(here);
+    near = path_.project(here, Metres{}, Metres{});
+  }
+  progress_ = std::max(progress_, near.along);
+  across_ = near.across;
+
+  if (path_.startOf(stop_) - progress_ <= plan_.options().stopTolerance) {
+    progress_ = path_.startOf(stop_);
+    if (stop_ == path_.legCount()) {
+      finished_ = true;
+      holding_ = state.pose.heading;
+      return stand(Phase::Finished, holding_, state);
+    }
+    turning_ = true;
+    findStop();
+    across_ = path_.project(here, progress_, std::min(progress_ + kWindow, path_.startOf(stop_))).across;
+  }
+
+  const Metres look =
+      lookAhead(std::max(state.speed, plan_.options().creep), predicted.delay, plan_.ability(), plan_.options());
+  Decision decision;
+  decision.target = aim(look);
+  const Radians heading = direction(decision.target - here);
+  const Radians error = turnBetween(state.pose.heading, heading);
+  if (abs(error) > kMisaligned) turning_ = true;
+  if (abs(error) < kAligned) turning_ = false;
+  if (turning_) {
+    Decision turning = stand(progress_ < approach_ ? Phase::Approaching : Phase::Turning, heading, state);
+    turning.target = decision.target;
+    turning.speedReason = SpeedReason::Heading;
+    return turning;
+  }
+  const SpeedLimit limit =
+      plan_.at({path_.startOf(stop_) - progress_, stop_ == path_.legCount(), predicted.delay, state.sigma, error});
+  decision.command = {limit.speed, heading};
+  decision.phase = progress_ < approach_ ? Phase::Approaching : Phase::OnLeg;
+  decision.speedReason = limit.reason;
+  report(decision, state);
+  return decision;
+}
+
+}  // namespace tessera::drive

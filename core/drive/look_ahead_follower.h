@@ -1,0 +1,42 @@
+// The default controller: aims at a point ahead on the line, as far away as speed and delay ask, slows down before
+// corners and turns there on the spot. It never drives backwards and never turns back for a point that it has passed.
+#pragma once
+
+#include "drive/route_follower.h"
+
+namespace tessera::drive {
+
+class LookAheadFollower final : public RouteFollower {
+public:
+  static constexpr std::string_view kName = "look-ahead";
+
+  explicit LookAheadFollower(const FollowerSetup& setup);
+
+  Decision decide(const PredictedState& predicted, Seconds now) override;
+  [[nodiscard]] const Polyline& route() const override { return route_; }
+  [[nodiscard]] std::string_view name() const override { return kName; }
+
+private:
+  /// The way driven: the route from where it has been followed to, led up to by a straight leg when the vehicle is
+  /// away.
+  void layPath(Point from);
+  void findStop();
+  [[nodiscard]] Point aim(Metres look) const;
+  [[nodiscard]] Decision stand(Phase phase, Radians heading, const VehicleState& state) const;
+  void report(Decision& decision, const VehicleState& state) const;
+
+  Polyline route_;
+  SpeedPlan plan_;
+  Polyline path_;
+  Metres approach_;       ///< length of the leg that leads up to the route
+  Metres skipped_;        ///< distance on the route at which the approach ends
+  Metres progress_;       ///< on the path
+  Metres across_;         ///< from the path
+  std::size_t stop_ = 0;  ///< vertex of the path at which it stops next
+  bool laid_ = false;
+  bool turning_ = true;
+  bool finished_ = false;
+  Radians holding_;  ///< heading while it stands
+};
+
+}  // namespace tessera::drive

@@ -1,0 +1,87 @@
+#include "drive/route_follower.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "drive/control_point_aimer.h"
+#include "drive/look_ahead_follower.h"
+
+namespace tessera::drive {
+namespace {
+
+constexpr std::array<std::string_view, 2> kNames{LookAheadFollower::kName, ControlPointAimer::kName};
+
+const char* because(SpeedReason reason) {
+  switch (reason) {
+    case SpeedReason::Requested:
+      return "as asked for";
+    case SpeedReason::Corner:
+      return "slowing down before the corner";
+    case SpeedReason::End:
+      return "slowing down before the end";
+    case SpeedReason::Delay:
+      return "no faster over this slow a radio";
+    case SpeedReason::Uncertainty:
+      return "slowly, because its place is not well known";
+    case SpeedReason::Heading:
+      return "slowly, until its nose points along the way";
+  }
+  return "";
+}
+
+std::string number(double value, const char* format) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+
+std::string checked(const FollowerSetup& setup) {
+  const std::string which = "Route \"" + setup.route.name + "\"";
+  for (const Point& p : setup.route.vertices)
+    if (!std::isfinite(p.x.value()) || !std::isfinite(p.y.value())) return which + " has a point that is no number.";
+  if (Polyline{setup.route.vertices}.legCount() == 0) return which + " needs at least two different points.";
+  const double speed = setup.plan.requested.value();
+  if (!(speed > 0.0) || speed > setup.ability.maxSpeed.value())
+    return "A speed of " + number(speed, "%.3g") +
+           " m/s cannot be asked for: the vehicle drives more than 0 and up to " +
+           number(setup.ability.maxSpeed.value(), "%.3g") + " m/s.";
+  return {};
+}
+
+}  // namespace
+
+std::string sentence(const Decision& d, const Polyline& route) {
+  const std::string leg = "leg " + std::to_string(d.leg + 1) + " of " + std::to_string(route.legCount());
+  const std::string speed = number(d.command.speed.value(), "%.2f m/s, ") + because(d.speedReason) + ".";
+  switch (d.phase) {
+    case Phase::Approaching:
+      return "On the way to the route: " + speed;
+    case Phase::OnLeg:
+      return "On " + leg + ", " + number(d.remaining.value(), "%.2f m to go: ") + speed;
+    case Phase::Turning:
+      return "Turning on the spot by " + number(degrees(d.headingError), "%.0f° to ") + leg + ".";
+    case Phase::Finished:
+      return "At the end of the route.";
+    case Phase::Lost:
+      return "Standing still, because its place is unknown.";
+  }
+  return {};
+}
+
+std::span<const std::string_view> followerNames() { return kNames; }
+
+Result<std::unique_ptr<RouteFollower>> makeRouteFollower(std::string_view name, const FollowerSetup& setup) {
+  if (std::string wrong = checked(setup); !wrong.empty()) return failure(std::move(wrong));
+  if (name == LookAheadFollower::kName) return std::make_unique<LookAheadFollower>(setup);
+  if (name == ControlPointAimer::kName) {
+    auto points = controlPoints(Polyline{setup.route.vertices}, setup.route.controlSpacing);
+    if (!points) return tl::unexpected{points.error()};
+    return std::make_unique<ControlPointAimer>(setup, std::move(*points));
+  }
+  std::string known;
+  for (std::string_view n : kNames) known += (known.empty() ? "" : ", ") + std::string{n};
+  return failure("There is no controller \"" + std::string{name} + "\"; there are: " + known + ".");
+}
+
+}  // namespace tessera::drive

@@ -1,0 +1,48 @@
+#include "drive/speed_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/angle.h"
+
+namespace tessera::drive {
+namespace {
+
+constexpr double kStableShare = 0.25;  // of L/T: damping 0.64, see the decision record on locator and controller
+constexpr double kEasyHeading = 0.30;  // rad; a larger error swings the vehicle off the line, so it slows down
+constexpr double kStopHeading = 1.00;  // rad; with this much it would drive where it does not want to
+
+/// Fastest speed that, held for the delay, can still be braked off within the way.
+double brakingSpeed(double way, double delay, double braking) {
+  const double lost = braking * delay;
+  return std::sqrt(lost * lost + 2.0 * braking * std::max(way, 0.0)) - lost;
+}
+
+}  // namespace
+
+Metres lookAhead(MetresPerSecond speed, Seconds delay, const VehicleAbility& ability, const SpeedPlanOptions& options) {
+  const double v = std::abs(speed.value());
+  const double stable = v * delay.value() / kStableShare;
+  const double damped = 2.0 * v * (delay.value() + ability.lag.value() + 1.0 / ability.headingGain);
+  return std::clamp(Metres{std::max(stable, damped)}, options.shortestLook, options.longestLook);
+}
+
+SpeedLimit SpeedPlan::at(const Situation& situation) const {
+  SpeedLimit limit{std::min(options_.requested, ability_.maxSpeed), SpeedReason::Requested};
+  const MetresPerSecond creep = std::min(options_.creep, limit.speed);
+  const auto cut = [&](double speed, SpeedReason reason) {
+    const MetresPerSecond allowed = std::max(MetresPerSecond{speed}, creep);
+    if (allowed < limit.speed) limit = {allowed, reason};
+  };
+  const double delay = std::clamp(situation.delay.value(), 0.01, 5.0);
+  cut(kStableShare * options_.longestLook.value() / delay, SpeedReason::Delay);
+  const double doubt = (situation.sigma - options_.easySigma) / (options_.largestSigma - options_.easySigma);
+  if (doubt > 0.0) cut(limit.speed.value() * (1.0 - std::min(doubt, 1.0)), SpeedReason::Uncertainty);
+  const double off = (std::abs(situation.headingError.value()) - kEasyHeading) / (kStopHeading - kEasyHeading);
+  if (off > 0.0) cut(limit.speed.value() * (1.0 - std::min(off, 1.0)), SpeedReason::Heading);
+  cut(brakingSpeed(situation.toStop.value(), delay, options_.brakingShare * ability_.acceleration.value()),
+      situation.stopIsEnd ? SpeedReason::End : SpeedReason::Corner);
+  return limit;
+}
+
+}  // namespace tessera::drive
