@@ -30,10 +30,11 @@ enum class Parameter : std::uint8_t {
   Acceleration = 21,     ///< mm/s^2
   CompassRatio = 22,     ///< 1/10000, share of the compass in the heading per compass sample
   // Read only:
-  FramesRefused = 64,  ///< frames with a wrong MAC or an old counter since the start
-  FramesDamaged = 65,  ///< frames with a wrong checksum since the start
-  LongestTick = 66,    ///< µs, longest run of the 100 Hz work since the start
-  StackFree = 67,      ///< bytes of stack never touched since the start
+  FramesRefused = 64,       ///< frames with a wrong MAC or an old counter since the start
+  FramesDamaged = 65,       ///< frames with a wrong checksum since the start
+  LongestTick = 66,         ///< µs, longest run of the 100 Hz work since the start
+  StackFree = 67,           ///< bytes of stack never touched since the start
+  CalibrationOutcome = 68,  ///< wire::Outcome of the last compass calibration; Unknown: none since the start
 };
 
 enum class Action : std::uint8_t {

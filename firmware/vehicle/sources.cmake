@@ -1,4 +1,22 @@
 # The vehicle's logic, relative to this folder. The same list is compiled for the microcontroller and for the host.
 set(TESSERA_VEHICLE_SOURCES
+  command.cpp
+  compass.cpp
+  compass_calibration.cpp
+  drive_control.cpp
+  eeprom.cpp
   eeprom_image.cpp
-  settings.cpp)
+  ellipse_fit.cpp
+  heading.cpp
+  hmc5883l.cpp
+  pilot.cpp
+  radio.cpp
+  rangers.cpp
+  reader_row.cpp
+  session.cpp
+  settings.cpp
+  settings_store.cpp
+  tag_log.cpp
+  vehicle.cpp
+  vehicle_requests.cpp
+  wheel_loop.cpp)

@@ -1,0 +1,54 @@
+// The ultrasonic rangers HC-SR04: asked in turn, cleaned of outliers, and the question whether something stands in the
+// way. Each is pinged every 70 ms, half of that apart from the other one, so that no echo is taken for another's.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "firmware/vehicle/board.h"
+#include "firmware/vehicle/time.h"
+
+namespace tessera::firmware {
+
+class Rangers {
+public:
+  explicit Rangers(Board& board) : board_{board} {}
+
+  /// stopDistance in m; 0 never sees an obstacle.
+  void configure(float stopDistance) { stopDistance_ = stopDistance; }
+  /// To be called every tick.
+  void tick(Micros now);
+
+  /// Something is nearer than the stop distance, or was within the last second. It counts as gone when it is 5 cm
+  /// further away than that, for a second without a break.
+  [[nodiscard]] bool obstacle() const { return obstacle_; }
+  /// Distance to the nearest obstacle for Report::range: cm, at most 254, 255 = none seen.
+  [[nodiscard]] std::uint8_t nearestCm() const;
+  /// A ranger answers with echoes shorter than 2 cm, ten times running: its line is stuck or broken. A ranger that
+  /// stays silent is not told from free space.
+  [[nodiscard]] bool faulty() const;
+
+private:
+  static constexpr std::size_t kWindow = 5;
+  static constexpr float kFree = 1e3F;
+  struct Ranger {
+    std::array<float, kWindow> last{kFree, kFree, kFree, kFree, kFree};  ///< m
+    std::size_t next = 0;
+    int tooShort = 0;
+    float distance = kFree;  ///< m, median of the last five
+  };
+  void collect(Ranger& ranger, std::uint32_t echo);
+  [[nodiscard]] float nearest() const;
+  void judge(Micros now);
+
+  Board& board_;
+  std::array<Ranger, kRangers> rangers_{};
+  float stopDistance_ = 0.0F;
+  std::size_t turn_ = 0;
+  bool pinged_ = false;
+  Micros next_{0};
+  bool obstacle_ = false;
+  Micros seen_{0};  ///< when the way was last not clear
+};
+
+}  // namespace tessera::firmware

@@ -1,0 +1,110 @@
+// What the host asks of the vehicle besides driving: parameters and actions.
+#include "firmware/vehicle/vehicle.h"
+
+namespace tessera::firmware {
+namespace {
+
+using wire::Outcome;
+using wire::Parameter;
+
+constexpr Micros kRestartPatience = 300ms;  // for the answer to leave and the settings to be written
+
+}  // namespace
+
+void Vehicle::handle(const wire::Request& request, Micros now) {
+  std::int32_t value = 0;
+  Outcome outcome = Outcome::Unknown;
+  const auto parameter = static_cast<Parameter>(request.parameter);
+  switch (request.type) {
+    case wire::MessageType::Get:
+      outcome = get(parameter, value);
+      break;
+    case wire::MessageType::Set:
+      outcome = set(parameter, request.value);
+      get(parameter, value);
+      break;
+    default:
+      outcome = act(static_cast<wire::Action>(request.parameter), now);
+      break;
+  }
+  session_.answer(outcome, value);
+}
+
+Outcome Vehicle::get(Parameter parameter, std::int32_t& value) {
+  value = 0;
+  switch (parameter) {
+    case Parameter::FramesRefused:
+      value = static_cast<std::int32_t>(session_.framesRefused());
+      return Outcome::Done;
+    case Parameter::FramesDamaged:
+      value = static_cast<std::int32_t>(radio_.damagedFrames());
+      return Outcome::Done;
+    case Parameter::LongestTick:
+      value = static_cast<std::int32_t>(longestTick_);
+      return Outcome::Done;
+    case Parameter::StackFree:
+      value = static_cast<std::int32_t>(board_.stackFree());
+      return Outcome::Done;
+    case Parameter::CalibrationOutcome:
+      value = static_cast<std::int32_t>(pilot_.calibrationOutcome());
+      return Outcome::Done;
+    default:
+      break;
+  }
+  if (!Settings::has(parameter)) return Outcome::Unknown;
+  value = store_.settings().get(parameter);
+  return Outcome::Done;
+}
+
+// Done means in force; the EEPROM has it some 30 ms later, and kFaultEeprom tells when it could not be written.
+Outcome Vehicle::set(Parameter parameter, std::int32_t value) {
+  Settings settings = store_.settings();
+  const Outcome outcome = settings.set(parameter, value);
+  if (outcome == Outcome::Done && settings != store_.settings()) {
+    store_.save(settings);
+    use(settings);
+  }
+  return outcome;
+}
+
+Outcome Vehicle::act(wire::Action action, Micros now) {
+  switch (action) {
+    case wire::Action::CalibrateCompass:
+      return pilot_.calibrate(now);
+    case wire::Action::Restart:
+      restartAt_ = now + kRestartPatience;
+      return Outcome::Done;
+    case wire::Action::RestoreDefaults: {
+      Settings settings = store_.settings();
+      settings.restoreDefaults();
+      store_.save(settings);
+      use(settings);
+      return Outcome::Done;
+    }
+  }
+  return Outcome::Unknown;
+}
+
+// Address and radio parameters are looked at in start() only.
+void Vehicle::use(const Settings& settings) {
+  pilot_.configure(settings);
+  readers_.start(settings.get(Parameter::ReaderCount));
+}
+
+void Vehicle::keepCalibration() {
+  const auto correction = pilot_.takeCalibration();
+  if (!correction) return;
+  Settings settings = store_.settings();
+  if (!keepCorrection(*correction, settings)) return;
+  store_.save(settings);
+  use(settings);
+}
+
+void Vehicle::restartWhenDue(Micros now) {
+  if (restartAt_ && now >= *restartAt_) {
+    restartAt_.reset();
+    board_.restart();
+  }
+}
+
+}  // namespace tessera::firmware
