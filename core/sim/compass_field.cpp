@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "floor/bearing.h"
+#include "sim/site_bounds.h"
 
 namespace tessera::sim {
 namespace {
@@ -15,44 +15,21 @@ constexpr double kEarthVertical = -40.0;
 constexpr double kHardIronZ = 90.0;
 constexpr double kFloorPerSpot = 1.5;  // m²
 
-struct Box {
-  double left = std::numeric_limits<double>::max();
-  double bottom = std::numeric_limits<double>::max();
-  double right = std::numeric_limits<double>::lowest();
-  double top = std::numeric_limits<double>::lowest();
-  void add(Point p) {
-    left = std::min(left, p.x.value());
-    right = std::max(right, p.x.value());
-    bottom = std::min(bottom, p.y.value());
-    top = std::max(top, p.y.value());
-  }
-};
-
-Box boundsOf(const floor::Site& site) {
-  Box box;
-  for (const floor::Placement& placement : site.placements) box.add(placement.origin);
-  for (const floor::LooseTag& tag : site.looseTags) box.add(tag.place);
-  for (const floor::Route& route : site.routes)
-    for (const Point p : route.vertices) box.add(p);
-  return box;
-}
-
 }  // namespace
 
 std::vector<MagneticSpot> seededSpots(const floor::Site& site, Radians deviation, std::uint64_t seed) {
   std::vector<MagneticSpot> spots;
-  const Box box = boundsOf(site);
-  if (box.left > box.right || deviation.value() == 0.0) return spots;
+  const auto bounds = boundsOf(site);
+  if (!bounds || deviation.value() == 0.0) return spots;
   RandomStream random{seed, "magnetic spots"};
-  const double area = (box.right - box.left) * (box.top - box.bottom);
-  const int count = std::max(1, static_cast<int>(std::lround(area / kFloorPerSpot)));
+  const Offset size = bounds->upperRight - bounds->lowerLeft;
+  const int count = std::max(1, static_cast<int>(std::lround(size.x.value() * size.y.value() / kFloorPerSpot)));
   const double peak = kEarthHorizontal * std::tan(deviation.value());
   for (int i = 0; i < count; ++i) {
-    const double x = random.between(box.left, box.right);
-    const double y = random.between(box.bottom, box.top);
+    const Offset from{size.x * random.uniform(), size.y * random.uniform()};
     const double angle = random.between(-kPi, kPi);
     const Metres radius{random.between(0.2, 0.4)};
-    spots.push_back({{Metres{x}, Metres{y}}, radius, {peak * std::cos(angle), peak * std::sin(angle)}});
+    spots.push_back({bounds->lowerLeft + from, radius, {peak * std::cos(angle), peak * std::sin(angle)}});
   }
   return spots;
 }

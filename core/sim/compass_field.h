@@ -20,6 +20,7 @@ struct MagneticSpot {
 };
 
 inline constexpr double kEarthHorizontal = 20.0;  ///< µT
+inline constexpr Radians kSpotDeviation = fromDegrees(5.0);
 
 /// Spots spread over the site's floor, one for each 1.5 m² of its bounding box, by seed. `deviation` is the heading
 /// error at a spot's centre when its field lies across the earth's (in halls up to 20° were seen over a square metre).

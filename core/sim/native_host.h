@@ -14,7 +14,7 @@ namespace tessera::sim {
 class NativeHost final : public VehicleHost {
 public:
   /// eeprom: what the vehicle's EEPROM holds before its first start.
-  explicit NativeHost(const firmware::At24c32::Image& eeprom) : board_{eeprom} {}
+  explicit NativeHost(const firmware::EepromChip::Image& eeprom) : board_{eeprom} {}
 
   Result<void> start(Seconds now) override;
   void kill() override;
@@ -27,7 +27,7 @@ public:
   [[nodiscard]] Actions take() override;
 
   /// Also while it is switched off.
-  [[nodiscard]] const firmware::At24c32::Image& eeprom() const { return board_.eeprom(); }
+  [[nodiscard]] const firmware::EepromChip::Image& eeprom() const { return board_.eeprom(); }
   /// For tests that break a chip.
   [[nodiscard]] firmware::HostBoard& board() { return board_; }
   /// Starts since it was made, restarts included.

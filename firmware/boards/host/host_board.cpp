@@ -15,7 +15,7 @@ constexpr std::uint64_t kI2cByteTime = 23;  // µs, nine bits at 400 kHz, rounde
 
 }  // namespace
 
-HostBoard::HostBoard(const At24c32::Image& eeprom) : eeprom_{eeprom} { powerOn(0, wire::ResetCause::PowerOn); }
+HostBoard::HostBoard(const EepromChip::Image& eeprom) : eeprom_{eeprom} { powerOn(0, wire::ResetCause::PowerOn); }
 
 void HostBoard::powerOn(std::uint64_t now, wire::ResetCause cause) {
   now_ = std::max(now_, now);
@@ -96,15 +96,15 @@ void HostBoard::spendOnI2c(std::size_t bytes) { now_ += kI2cByteTime * (bytes + 
 bool HostBoard::i2cWrite(std::uint8_t address, std::span<const std::uint8_t> data) {
   spendOnI2c(data.size());
   if (restartAsked_) return false;
-  if (address == Hmc5883l::kAddress && compassPresent_) return compass_.write(data, now_);
-  if (address == At24c32::kAddress && eepromPresent_) return eeprom_.write(data, now_);
+  if (address == CompassChip::kAddress && compassPresent_) return compass_.write(data, now_);
+  if (address == EepromChip::kAddress && eepromPresent_) return eeprom_.write(data, now_);
   return false;
 }
 
 bool HostBoard::i2cRead(std::uint8_t address, std::span<std::uint8_t> out) {
   spendOnI2c(out.size());
-  if (address == Hmc5883l::kAddress && compassPresent_) return compass_.read(out);
-  if (address == At24c32::kAddress && eepromPresent_) return eeprom_.read(out, now_);
+  if (address == CompassChip::kAddress && compassPresent_) return compass_.read(out);
+  if (address == EepromChip::kAddress && eepromPresent_) return eeprom_.read(out, now_);
   return false;
 }
 

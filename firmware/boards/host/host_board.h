@@ -16,7 +16,7 @@ namespace tessera::firmware {
 /// What the world shows to pins and sensors.
 struct HostInputs {
   std::array<std::int64_t, 2> encoderCounts{};  ///< left, right
-  Field field{};                                ///< µT along the compass chip's axes
+  ChipField field{};                            ///< µT along the compass chip's axes
   std::array<double, kRangers> range{};         ///< m; 0 or less: no echo
   bool radioReady = true;                       ///< AUX
 };
@@ -25,7 +25,7 @@ class HostBoard final : public Board {
 public:
   static constexpr std::uint64_t kWatchdogTime = 500'000;  ///< µs
 
-  explicit HostBoard(const At24c32::Image& eeprom);
+  explicit HostBoard(const EepromChip::Image& eeprom);
 
   // The world's side. Instants are µs of the world's clock.
   /// Switches on, or starts anew: every chip but the EEPROM forgets.
@@ -43,7 +43,7 @@ public:
   /// The firmware asked for a restart, or has not fed the watchdog for too long.
   [[nodiscard]] bool restartDue() const { return restartAsked_ || watchdogExpired(); }
   [[nodiscard]] wire::ResetCause nextCause() const;
-  [[nodiscard]] const At24c32::Image& eeprom() const { return eeprom_.image(); }
+  [[nodiscard]] const EepromChip::Image& eeprom() const { return eeprom_.image(); }
   /// A chip that does not answer, for tests of what the firmware does then.
   void setCompassPresent(bool present) { compassPresent_ = present; }
   void setEepromPresent(bool present) { eepromPresent_ = present; }
@@ -86,8 +86,8 @@ private:
   void spendOnI2c(std::size_t bytes);
 
   std::array<Port, 2> ports_;
-  Hmc5883l compass_;
-  At24c32 eeprom_;
+  CompassChip compass_;
+  EepromChip eeprom_;
   bool compassPresent_ = true;
   bool eepromPresent_ = true;
   HostInputs inputs_;

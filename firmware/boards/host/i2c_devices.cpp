@@ -25,7 +25,7 @@ std::uint64_t periodOf(std::uint8_t configuration) {
 
 }  // namespace
 
-void Hmc5883l::powerOn(std::uint64_t now) {
+void CompassChip::powerOn(std::uint64_t now) {
   registers_ = {0x10, 0x20, 0x01, 0, 0, 0, 0, 0, 0, 0, 'H', '4', '3'};
   pointer_ = 0;
   unread_ = 0;
@@ -35,7 +35,7 @@ void Hmc5883l::powerOn(std::uint64_t now) {
   due_ = now + kSingleTime;
 }
 
-void Hmc5883l::setRegister(std::uint8_t index, std::uint8_t value, std::uint64_t now) {
+void CompassChip::setRegister(std::uint8_t index, std::uint8_t value, std::uint64_t now) {
   if (index > kModeRegister) return;  // data, status and identification cannot be written
   registers_[index] = value;
   if (index != kModeRegister) return;
@@ -46,7 +46,7 @@ void Hmc5883l::setRegister(std::uint8_t index, std::uint8_t value, std::uint64_t
   registers_[kStatus] = 0;
 }
 
-void Hmc5883l::step(std::uint64_t now, const Field& field) {
+void CompassChip::step(std::uint64_t now, const ChipField& field) {
   if (!measuring_ || now < due_) return;
   measure(field);
   if ((registers_[kModeRegister] & 3U) == 0) {
@@ -58,7 +58,7 @@ void Hmc5883l::step(std::uint64_t now, const Field& field) {
   }
 }
 
-void Hmc5883l::measure(const Field& field) {
+void CompassChip::measure(const ChipField& field) {
   const double perMicrotesla = kCountsPerGauss[gain_] / kMicroteslaPerGauss;
   gain_ = static_cast<std::uint8_t>(registers_[1] >> 5U);
   if (unread_ != 0 && unread_ != 6) return;  // locked: someone is half way through the last result
@@ -73,14 +73,14 @@ void Hmc5883l::measure(const Field& field) {
   registers_[kStatus] = kReady;
 }
 
-bool Hmc5883l::write(std::span<const std::uint8_t> data, std::uint64_t now) {
+bool CompassChip::write(std::span<const std::uint8_t> data, std::uint64_t now) {
   if (data.empty()) return true;
   pointer_ = data[0];
   for (const std::uint8_t value : data.subspan(1)) setRegister(pointer_++, value, now);
   return true;
 }
 
-bool Hmc5883l::read(std::span<std::uint8_t> out) {
+bool CompassChip::read(std::span<std::uint8_t> out) {
   for (std::uint8_t& byte : out) {
     byte = pointer_ < registers_.size() ? registers_[pointer_] : 0;
     if (pointer_ >= kFirstData && pointer_ <= kLastData && unread_ > 0) {
@@ -95,7 +95,7 @@ bool Hmc5883l::read(std::span<std::uint8_t> out) {
   return true;
 }
 
-bool At24c32::write(std::span<const std::uint8_t> data, std::uint64_t now) {
+bool EepromChip::write(std::span<const std::uint8_t> data, std::uint64_t now) {
   if (now < busyUntil_) return false;
   if (data.size() < 2) return true;  // half an address: the STOP makes the chip forget it
   pointer_ = (std::size_t{data[0]} * 256 + data[1]) % kSize;
@@ -108,7 +108,7 @@ bool At24c32::write(std::span<const std::uint8_t> data, std::uint64_t now) {
   return true;
 }
 
-bool At24c32::read(std::span<std::uint8_t> out, std::uint64_t now) {
+bool EepromChip::read(std::span<std::uint8_t> out, std::uint64_t now) {
   if (now < busyUntil_) return false;
   for (std::uint8_t& byte : out) {
     byte = cells_[pointer_];

@@ -8,24 +8,24 @@
 
 namespace tessera::firmware {
 
-/// Field along a chip's x, y, z axes, µT.
-using Field = std::array<double, 3>;
+/// ChipField along a chip's x, y, z axes, µT.
+using ChipField = std::array<double, 3>;
 
 /// Registers 0 to 12, continuous and single measurement, gain, data lock, overflow. Self-test currents are not
 /// modelled.
-class Hmc5883l {
+class CompassChip {
 public:
   static constexpr std::uint8_t kAddress = 0x1E;
 
   void powerOn(std::uint64_t now);
   /// Lets the chip measure when its time has come. To be called at least every ms.
-  void step(std::uint64_t now, const Field& field);
+  void step(std::uint64_t now, const ChipField& field);
   bool write(std::span<const std::uint8_t> data, std::uint64_t now);
   bool read(std::span<std::uint8_t> out);
 
 private:
   void setRegister(std::uint8_t index, std::uint8_t value, std::uint64_t now);
-  void measure(const Field& field);
+  void measure(const ChipField& field);
 
   std::array<std::uint8_t, 13> registers_{};
   std::uint8_t pointer_ = 0;
@@ -36,7 +36,7 @@ private:
 };
 
 /// 4096 bytes in pages of 32; deaf for 5 ms after a write, during which it programs its cells.
-class At24c32 {
+class EepromChip {
 public:
   static constexpr std::uint8_t kAddress = 0x50;
   static constexpr std::size_t kSize = 4096;
@@ -44,7 +44,7 @@ public:
   static constexpr std::uint64_t kWriteCycle = 5000;
   using Image = std::array<std::uint8_t, kSize>;
 
-  explicit At24c32(const Image& image) : cells_{image} {}
+  explicit EepromChip(const Image& image) : cells_{image} {}
   void powerOn() { busyUntil_ = 0; }
   bool write(std::span<const std::uint8_t> data, std::uint64_t now);
   bool read(std::span<std::uint8_t> out, std::uint64_t now);
