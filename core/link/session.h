@@ -1,0 +1,81 @@
+// The host's side of the meeting with one vehicle: who it is, which key holds now, which of its frames to believe.
+// Knows no time and sends nothing by itself: it writes frames into buffers and says what a received frame means.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <variant>
+
+#include "base/ids.h"
+#include "wire/messages.h"
+#include "wire/security.h"
+
+namespace tessera::link {
+
+enum class Disbelief : std::uint8_t {
+  WrongKey,  ///< it answers a call, but not with the key that this host has for it
+  Forged,    ///< its MAC fits nothing while a session stands
+  Replayed,  ///< genuine, but seen before in this session, or of an earlier meeting
+  Stale,     ///< genuine answer to a call that has been repeated since; harmless
+  Strange,   ///< well authenticated or too short to be, and makes no sense
+};
+
+struct HeardIdentity {
+  wire::Identity identity;
+  bool first = false;      ///< the first session with it at all
+  bool restarted = false;  ///< it has started anew since the last session
+};
+struct HeardVersion {  ///< genuine, but of another version of the protocol: no session
+  std::uint8_t protocol = 0;
+};
+struct HeardHail {  ///< it has no session with us
+  wire::Hail hail;
+  bool restarted = false;
+};
+struct HeardReport {
+  wire::Report report;
+};
+struct HeardValue {
+  wire::Value value;
+};
+using Heard = std::variant<Disbelief, HeardIdentity, HeardVersion, HeardHail, HeardReport, HeardValue>;
+
+class Session {
+public:
+  Session(VehicleId vehicle, const wire::Key& longTerm) : vehicle_{vehicle}, longTerm_{longTerm} {}
+
+  [[nodiscard]] VehicleId vehicle() const { return vehicle_; }
+  /// A session stands. It may still be dead on the other side, which answers with a Hail or not at all.
+  [[nodiscard]] bool open() const { return session_.has_value(); }
+  [[nodiscard]] const std::optional<wire::Identity>& identity() const { return identity_; }
+  /// The key of the standing session; the long-term key when there is none, so that a probing Cycle entry can be made,
+  /// which a vehicle without a session answers with a Hail.
+  [[nodiscard]] const wire::Key& key() const { return session_ ? session_->key : longTerm_; }
+
+  /// Writes a call; returns its size. hostCounter: the last counter used on this channel. A standing session is kept
+  /// until the call is answered.
+  std::size_t hello(std::uint32_t nonce, std::uint32_t hostCounter, std::span<std::uint8_t> out);
+  /// Writes a request under `counter`, which must be above every counter used before. Requires open().
+  [[nodiscard]] std::size_t request(const wire::Request& request, std::uint32_t counter,
+                                    std::span<std::uint8_t> out) const;
+  /// What a frame with this vehicle's address in `from` means. Believed frames count as seen.
+  Heard hear(const wire::Frame& frame);
+
+private:
+  struct Open {
+    wire::Key key{};
+    wire::ReplayGuard guard;
+  };
+  Heard hearIdentity(const wire::Sealed& sealed);
+  Heard hearHail(const wire::Sealed& sealed);
+  [[nodiscard]] bool genuine(const wire::Frame& frame, const wire::Sealed& sealed) const;
+
+  VehicleId vehicle_;
+  wire::Key longTerm_;
+  std::optional<std::uint32_t> nonce_;  ///< of the call that is not answered yet
+  std::optional<wire::Identity> identity_;
+  std::optional<Open> session_;
+};
+
+}  // namespace tessera::link
