@@ -40,30 +40,31 @@ void Plant::drive(Wheel& wheel, double dt, int duty, double volts) const {
   wheel.surfaceSpeed = !stands && next * wheel.surfaceSpeed <= 0.0 ? 0.0 : next;
 }
 
-double Plant::groundWay(Wheel& wheel, double dt) {
-  const double way = wheel.surfaceSpeed * dt;
-  if (way == 0.0) return 0.0;
+double Plant::groundSpeed(Wheel& wheel, double dt) {
+  if (wheel.surfaceSpeed == 0.0) return 0.0;
   // First-order Gauss-Markov process: standard deviation and correlation time do not depend on the step.
   const double keep = std::exp(-dt / parameters_.slipMemory.value());
   wheel.slip = keep * wheel.slip + random_.normal(parameters_.slipWander * std::sqrt(1.0 - keep * keep));
   const double share = std::abs(wheel.surfaceSpeed) / parameters_.speedAtFullDuty.value();
-  const double noise = random_.normal(parameters_.wayNoise * std::sqrt(std::abs(way)));
-  return way * (1.0 - parameters_.slip * share + wheel.slip) + noise;
+  return wheel.surfaceSpeed * (1.0 - parameters_.slip * share + wheel.slip);
 }
 
 void Plant::step(Seconds dt, const std::array<int, 2>& duty, double volts) {
+  std::array<double, 2> speed{};
   std::array<double, 2> way{};
   for (std::size_t i = 0; i < wheels_.size(); ++i) {
     Wheel& wheel = wheels_[i];
     drive(wheel, dt.value(), duty[i], volts);
     wheel.angle += wheel.surfaceSpeed * dt.value() / (wheel.diameter / 2.0);
-    way[i] = groundWay(wheel, dt.value());
+    speed[i] = groundSpeed(wheel, dt.value());
+    // A random walk along the way: joints, grains, an uneven floor.
+    way[i] = speed[i] * dt.value();
+    way[i] += random_.normal(parameters_.wayNoise * std::sqrt(std::abs(way[i])));
   }
-  const Metres forward{(way[0] + way[1]) / 2.0};
-  const Radians turn{(way[1] - way[0]) / parameters_.track.value()};
-  pose_ = advancedAlongArc(pose_, forward, turn);
-  speed_ = forward / dt;
-  turnRate_ = turn / dt;
+  const double track = parameters_.track.value();
+  pose_ = advancedAlongArc(pose_, Metres{(way[0] + way[1]) / 2.0}, Radians{(way[1] - way[0]) / track});
+  speed_ = MetresPerSecond{(speed[0] + speed[1]) / 2.0};
+  turnRate_ = RadiansPerSecond{(speed[1] - speed[0]) / track};
 }
 
 std::array<std::int64_t, 2> Plant::encoderCounts() const {

@@ -41,7 +41,7 @@ public:
   void step(Seconds dt, const std::array<int, 2>& duty, double volts);
 
   [[nodiscard]] const Pose& pose() const { return pose_; }
-  /// Over the ground, during the last step.
+  /// Over the ground, slip included, the floor's small jolts (wayNoise) not.
   [[nodiscard]] MetresPerSecond speed() const { return speed_; }
   [[nodiscard]] RadiansPerSecond turnRate() const { return turnRate_; }
   /// Quadrature counts of the wheels' true rotation since the start.
@@ -65,7 +65,7 @@ private:
     bool blocked = false;
   };
   void drive(Wheel& wheel, double dt, int duty, double volts) const;
-  double groundWay(Wheel& wheel, double dt);
+  double groundSpeed(Wheel& wheel, double dt);
 
   PlantParameters parameters_;
   Pose pose_;

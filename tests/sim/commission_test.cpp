@@ -30,9 +30,8 @@ double worstError(const EepromImage& image, CompassParameters compass, Radians n
   double worst = 0.0;
   for (double heading = -3.1; heading < 3.1; heading += 0.05) {
     const auto raw = field.measure({{}, Radians{heading}});
-    const auto corrected =
-        correction.apply({static_cast<float>(raw[0]), static_cast<float>(raw[1]), static_cast<float>(raw[2])});
-    const Radians bearing{std::atan2(corrected.y, corrected.x)};
+    const auto corrected = correction.apply({static_cast<float>(raw[0]), static_cast<float>(raw[1])});
+    const Radians bearing{std::atan2(double{corrected.y}, double{corrected.x})};
     const Radians truth = floor::bearingOfHeading(Radians{heading}, northToY);
     worst = std::max(worst, std::abs(degrees(turnBetween(truth, bearing))));
   }

@@ -110,9 +110,11 @@ TEST_F(NativeVehicle, turnsByNinetyDegreesOnTheSpot) {
 TEST_F(NativeVehicle, stopsByItselfWhenCommandsStopComing) {
   ASSERT_TRUE(bench->keepCommanding(drive(0.3, 0.0), Seconds{2.0}));
   EXPECT_GT(body->speed().value(), 0.25);
-  // The last command came less than 0.1 s ago and runs for 0.5 s; braking takes 0.3 m/s over three times 0.5 m/s².
-  bench->run(Seconds{0.9});
+  // The last command came less than 0.1 s ago and runs for 0.5 s; then the vehicle brakes, at 0.5 m/s² at the least.
+  const Point last = body->pose().position;
+  bench->run(Seconds{1.2});
   EXPECT_EQ(body->speed().value(), 0.0);
+  EXPECT_LT(distance(body->pose().position, last).value(), 0.3 * 0.5 + 0.3 * 0.3 / (2 * 0.5) + 0.03);
   const auto report = bench->poll();
   ASSERT_TRUE(report);
   EXPECT_EQ(report->state, VehicleState::Expired);
