@@ -36,6 +36,9 @@ VehicleBody::VehicleBody(const VehicleWorldConfig& config, std::unique_ptr<Vehic
 Result<void> VehicleBody::start(Seconds now) {
   now_ = now;
   nextRanging_ = now;
+  duty_ = {};
+  fromVehicle_.clear();
+  toVehicle_.clear();
   signals_.encoderCounts = plant_.encoderCounts();
   signals_.field = compass_.measure(pose());
   host_->setSignals(signals_);

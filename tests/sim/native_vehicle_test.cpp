@@ -149,6 +149,40 @@ TEST_F(NativeVehicle, namesAReaderThatDoesNotAnswer) {
   EXPECT_NE(report->faults & wire::kFaultReader, 0);
 }
 
+TEST_F(NativeVehicle, stopsWithAFaultWhenAWheelIsJammedUntilItIsCleared) {
+  body->plant().setBlocked(0, true);
+  auto report = bench->keepCommanding(drive(0.3, 0.0), Seconds{3.0});
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->state, VehicleState::Faulted);
+  EXPECT_NE(report->faults & wire::kFaultMotorStall, 0);
+  EXPECT_EQ(body->duty(), (std::array<int, 2>{}));
+  body->plant().setBlocked(0, false);
+  ASSERT_TRUE(bench->command({0, CommandMode::Clear}));
+  report = bench->keepCommanding(drive(0.3, 0.0), Seconds{3.0});
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->state, VehicleState::Driving);
+  EXPECT_EQ(report->faults & wire::kFaultMotorStall, 0);
+}
+
+TEST_F(NativeVehicle, keepsItsHeadingFromTheWheelsWhenTheCompassFallsSilent) {
+  host->board().setCompassPresent(false);
+  bench->keepCommanding(drive(0.2, 0.0), Seconds{5.0});
+  const auto report = bench->poll();
+  ASSERT_TRUE(report);
+  EXPECT_NE(report->faults & wire::kFaultCompass, 0);
+  EXPECT_NEAR(degrees(body->pose().heading), 0.0, 6.0);
+  EXPECT_GT(body->pose().position.x.value(), 2.8);
+}
+
+TEST_F(NativeVehicle, isTurnedByHandAndFindsItsBearingByTheCompass) {
+  body->setPose({body->pose().position, Radians{2.0}});
+  bench->run(Seconds{10.0});
+  const auto report = bench->poll();
+  ASSERT_TRUE(report);
+  const Radians told = floor::headingOfBearing(floor::fromBinaryAngle(report->bearing), kNorthToY);
+  EXPECT_NEAR(degrees(turnBetween(body->pose().heading, told)), 0.0, 3.0);
+}
+
 TEST_F(NativeVehicle, reportsItsBattery) {
   const auto report = bench->poll();
   ASSERT_TRUE(report);
