@@ -14,8 +14,8 @@ namespace tessera::locate {
 struct DiscModel {
   double radius = 0.06;      ///< m
   double rim = 0.003;        ///< m, logistic width of the disc's edge
-  double detection = 0.85;   ///< chance that an attempt inside the disc succeeds; a little below the truth is safe
-  double outlier = 0.03;     ///< chance that the silence around a read says nothing (restart, lost event)
+  double detection = 0.88;   ///< chance that an attempt inside the disc succeeds; a little below the truth is safe
+  double outlier = 0.01;     ///< chance that the silence around a read says nothing (restart, lost event)
   double pollPeriod = 0.10;  ///< s between a reader's attempts
 };
 

@@ -10,6 +10,7 @@ namespace {
 double square(double v) { return v * v; }
 
 constexpr double kSmallestVariance = 1e-12;
+constexpr double kRounding = 1e-6;  // m², of places in map and messages
 
 }  // namespace
 
@@ -81,17 +82,25 @@ double KalmanFilter::correct(const KalmanOptions& options, const DiscModel& mode
   Eigen::Matrix<double, 2, 4> g = Eigen::Matrix<double, 2, 4>::Zero();
   g(0, kX) = g(1, kY) = 1.0;
   g.col(kBias) = byBias;
-  const PlaneBelief before{state_.head<2>() + lever, g * covariance_ * g.transpose() +
-                                                         square(options.headingNoise) * byBias * byBias.transpose() +
-                                                         1e-6 * Eigen::Matrix2d::Identity()};
-  const DiscUpdate update = updateByDisc(model, before, tag, silent);
-  if (!(update.evidence >= options.gate)) return update.evidence;
+  const Eigen::Matrix2d noise =
+      square(options.headingNoise) * byBias * byBias.transpose() + kRounding * Eigen::Matrix2d::Identity();
+  PlaneBelief before{state_.head<2>() + lever, g * covariance_ * g.transpose() + noise};
+  DiscUpdate update = updateByDisc(model, before, tag, silent);
+  const double evidence = update.evidence;
+  if (!(evidence >= options.gate)) return evidence;
+  if (evidence < options.surprise) {
+    // Off by more than it believes: a wrong start, a slip. Doubting more, it comes back in a few reads.
+    covariance_(kX, kX) += square(options.surpriseSigma);
+    covariance_(kY, kY) += square(options.surpriseSigma);
+    before.covariance += square(options.surpriseSigma) * Eigen::Matrix2d::Identity();
+    update = updateByDisc(model, before, tag, silent);
+  }
 
   const Eigen::Matrix<double, 4, 2> gain = covariance_ * g.transpose() * before.covariance.inverse();
   state_ += gain * (update.belief.mean - before.mean);
   covariance_ += gain * (update.belief.covariance - before.covariance) * gain.transpose();
   keepSymmetric();
-  return update.evidence;
+  return evidence;
 }
 
 Eigen::Matrix3d KalmanFilter::poseCovariance(const KalmanOptions& options) const {

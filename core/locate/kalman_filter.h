@@ -21,6 +21,8 @@ struct KalmanOptions {
   double slipPerRootMetre = 0.005;  ///< m/√m, of the wheels, in each direction
   double turnShare = 0.2;           ///< of a heading change between two samples: doubt about the direction meanwhile
   double gate = 2e-3;               ///< a read less likely than this contradicts the estimate
+  double surprise = 0.05;           ///< a read less likely than this is taken in with more doubt about the place
+  double surpriseSigma = 0.02;      ///< m, that doubt
   double largestSigma = 0.20;       ///< m: with more doubt about the place it does not count as located
 };
 

@@ -12,6 +12,7 @@ constexpr int kDoubtAfter = 4;            // contradicting reads in a row that a
 constexpr double kStill = 0.02;           // m of travel that count as not having moved
 constexpr double kStandingTime = 0.5;     // s
 constexpr double kStanding = 0.005;       // m of travel within that time
+constexpr double kStandingTurn = 0.15;    // rad within that time; the compass is noisy
 constexpr double kAgreement = 0.03;       // m beyond two radii
 constexpr double kLeastSweep = 0.004;     // m; a reader that moved less between attempts says nothing by silence
 constexpr double kFoundSigmaShare = 0.6;  // of the radius, per axis, when starting from one read
@@ -207,15 +208,18 @@ void KalmanLocator::findAnew(std::size_t latest) {
   const Record read = records_[latest];
   if (!read.after.filter.placed() || !trusted(read.after)) return startFrom(read);
   // Carried while it stood: its wheels have not turned since a read that was believed.
-  const double travel = odometry_.at(read.at).travel;
-  const bool stands = std::abs(travel - odometry_.at(read.at - kStandingTime).travel) < kStanding;
-  if (stands && std::abs(travel - read.after.evidenceTravel) < kStill) return startFrom(read);
+  // (Not while it turns: then a tag that lies elsewhere than the map says would look the same.)
+  const Odometry::Sample now = odometry_.at(read.at);
+  const Odometry::Sample before = odometry_.at(read.at - kStandingTime);
+  const bool stands =
+      std::abs(now.travel - before.travel) < kStanding && std::abs(now.heading - before.heading) < kStandingTurn;
+  if (stands && std::abs(now.travel - read.after.evidenceTravel) < kStill) return startFrom(read);
   // Otherwise one read may be a tag that lies elsewhere than the map says; two different ones that agree are believed.
   const double bias = read.after.filter.state()(KalmanFilter::kBias);
   for (std::size_t i = latest; i-- > 0;) {
     const Record& other = records_[i];
     if (other.kind == Kind::Found || other.verdict == Verdict::Accepted) return;
-    if (other.kind == Kind::Read && other.tag != read.tag && agree(other, read, bias)) return startFrom(Record{other});
+    if (other.kind == Kind::Read && other.tag != read.tag && agree(other, read, bias)) return startFrom(read);
   }
 }
 
