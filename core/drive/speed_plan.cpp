@@ -11,6 +11,13 @@ namespace {
 constexpr double kStableShare = 0.25;  // of L/T: damping 0.64, see the decision record on locator and controller
 constexpr double kEasyHeading = 0.30;  // rad; a larger error swings the vehicle off the line, so it slows down
 constexpr double kStopHeading = 1.00;  // rad; with this much it would drive where it does not want to
+constexpr double kLongestDelay = 5.0;  // s
+
+/// A delay that is no number counts as the longest.
+double bounded(Seconds delay) { return delay < Seconds{kLongestDelay} ? std::max(delay.value(), 0.01) : kLongestDelay; }
+
+/// Share of the speed left at a doubt from 0 (all) to 1 (none); a doubt that is no number counts as the largest.
+double shareLeft(double doubt) { return doubt < 1.0 ? 1.0 - std::max(doubt, 0.0) : 0.0; }
 
 /// Fastest speed that, held for the delay, can still be braked off within the way.
 double brakingSpeed(double way, double delay, double braking) {
@@ -22,8 +29,8 @@ double brakingSpeed(double way, double delay, double braking) {
 
 Metres lookAhead(MetresPerSecond speed, Seconds delay, const VehicleAbility& ability, const SpeedPlanOptions& options) {
   const double v = std::abs(speed.value());
-  const double stable = v * delay.value() / kStableShare;
-  const double damped = 2.0 * v * (delay.value() + ability.lag.value() + 1.0 / ability.headingGain);
+  const double stable = v * bounded(delay) / kStableShare;
+  const double damped = 2.0 * v * (bounded(delay) + ability.lag.value() + 1.0 / ability.headingGain);
   return std::clamp(Metres{std::max(stable, damped)}, options.shortestLook, options.longestLook);
 }
 
@@ -34,12 +41,12 @@ SpeedLimit SpeedPlan::at(const Situation& situation) const {
     const MetresPerSecond allowed = std::max(MetresPerSecond{speed}, creep);
     if (allowed < limit.speed) limit = {allowed, reason};
   };
-  const double delay = std::clamp(situation.delay.value(), 0.01, 5.0);
+  const double delay = bounded(situation.delay);
   cut(kStableShare * options_.longestLook.value() / delay, SpeedReason::Delay);
   const double doubt = (situation.sigma - options_.easySigma) / (options_.largestSigma - options_.easySigma);
-  if (doubt > 0.0) cut(limit.speed.value() * (1.0 - std::min(doubt, 1.0)), SpeedReason::Uncertainty);
+  cut(limit.speed.value() * shareLeft(doubt), SpeedReason::Uncertainty);
   const double off = (std::abs(situation.headingError.value()) - kEasyHeading) / (kStopHeading - kEasyHeading);
-  if (off > 0.0) cut(limit.speed.value() * (1.0 - std::min(off, 1.0)), SpeedReason::Heading);
+  cut(limit.speed.value() * shareLeft(off), SpeedReason::Heading);
   cut(brakingSpeed(situation.toStop.value(), delay, options_.brakingShare * ability_.acceleration.value()),
       situation.stopIsEnd ? SpeedReason::End : SpeedReason::Corner);
   return limit;
