@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "link/air_timing.h"
@@ -42,8 +43,10 @@ public:
   void opened(Seconds now);
   /// Nothing can be sent until opened().
   void closed();
-  /// Bytes from the port; now: when the last of them came. What they mean is told by the next poll().
+  /// Bytes from the port; now: when the last of them came.
   void ingest(wire::Bytes bytes, Seconds now);
+  /// What was heard since it was last asked; what is not fetched here comes with the next poll().
+  [[nodiscard]] std::vector<LinkEvent> heard() { return std::exchange(events_, {}); }
   /// What a vehicle shall do from its next Cycle on. Unknown vehicles are ignored.
   void wish(VehicleId vehicle, const Wish& wish);
   /// Queues a request. Get and Set are repeated twice if unanswered, Do is not, as it might be done twice.

@@ -83,6 +83,7 @@ struct VehicleView {
   Metres length;         ///< of the route
   Metres crossTrack;     ///< positive to the left of the route
   std::optional<CommandView> command;
+  std::string doing;        ///< what the controller decided and why, one sentence; empty without a route
   std::string waits;        ///< why it stands although it should go: one sentence; empty when it does not wait
   std::uint32_t reads = 0;  ///< tag reads taken by the locator
   bool finished = false;    ///< the route's end was reached

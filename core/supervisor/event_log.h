@@ -1,0 +1,28 @@
+// Collects the events of one tick.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "supervisor/event.h"
+
+namespace tessera::supervisor {
+
+class EventLog {
+public:
+  void setTime(Seconds now) { now_ = now; }
+  void tell(Severity severity, EventKind kind, std::optional<VehicleId> vehicle, std::string sentence,
+            bool over = false) {
+    events_.push_back({now_, severity, vehicle, kind, over, std::move(sentence)});
+  }
+  [[nodiscard]] bool empty() const { return events_.empty(); }
+  [[nodiscard]] std::vector<Event> take() { return std::exchange(events_, {}); }
+
+private:
+  Seconds now_;
+  std::vector<Event> events_;
+};
+
+}  // namespace tessera::supervisor

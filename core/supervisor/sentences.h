@@ -1,0 +1,35 @@
+// The supervisor's English: every sentence that an operator reads about faults, requests and waiting stands here.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/units.h"
+#include "link/link_event.h"
+#include "wire/messages.h"
+#include "wire/parameters.h"
+
+namespace tessera::supervisor {
+
+/// What is told about one bit of Report::faults. The vehicle's name goes before the text.
+struct FaultText {
+  wire::Fault bit;
+  bool error;     ///< it stops the vehicle or spoils its work
+  Seconds quiet;  ///< how long it must stay away to be over
+  std::string_view begins;
+  std::string_view ends;
+};
+[[nodiscard]] const std::array<FaultText, 13>& faultTexts();
+
+/// A vehicle's answer to a request, or that there was none. `vehicle`: its name.
+[[nodiscard]] std::string answerSentence(const std::string& vehicle, const link::Answered& answered);
+
+/// Why a vehicle started anew: "after a power cut", "by its watchdog" and so on.
+[[nodiscard]] std::string_view causeText(wire::ResetCause cause);
+
+/// A number with a fixed count of decimals, independent of the locale.
+[[nodiscard]] std::string decimal(double value, int decimals);
+
+}  // namespace tessera::supervisor

@@ -1,0 +1,213 @@
+#include "supervisor/supervisor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "link/channel.h"
+#include "supervisor/vehicle_agent.h"
+
+namespace tessera::supervisor {
+
+struct Supervisor::Impl {
+  Impl(std::shared_ptr<const floor::SiteMap> map, const Config& c, const link::ChannelConfig& channelConfig)
+      : site{std::move(map)}, config{c}, channel{channelConfig} {}
+
+  std::shared_ptr<const floor::SiteMap> site;
+  Config config;
+  link::Channel channel;
+  std::vector<VehicleAgent> agents;
+  std::vector<Order> orders;
+  EventLog log;
+  PortView port;
+  Episode portLost;
+  Episode damaged{Seconds{5.0}};
+  Episode strangers{Seconds{5.0}};
+  Seconds nextSnapshot{-std::numeric_limits<double>::infinity()};
+
+  VehicleAgent* agent(VehicleId id);
+  void carryOut(const Order& order);
+  void hear(const link::LinkEvent& event, Seconds now);
+  void hearNoise(const link::Noise& noise, Seconds now);
+  void endEpisodes(Seconds now);
+  [[nodiscard]] std::shared_ptr<const Snapshot> picture(Seconds now) const;
+};
+
+Supervisor::Supervisor(std::unique_ptr<Impl> impl) : impl_{std::move(impl)} {}
+Supervisor::Supervisor(Supervisor&&) noexcept = default;
+Supervisor& Supervisor::operator=(Supervisor&&) noexcept = default;
+Supervisor::~Supervisor() = default;
+
+Result<Supervisor> Supervisor::create(std::shared_ptr<const floor::SiteMap> map, Config config) {
+  const floor::Site& site = map->site();
+  if (config.vehicles.empty())
+    for (const floor::VehicleSetup& v : site.vehicles) config.vehicles.push_back(v.id);
+  link::ChannelConfig channel;
+  channel.airRate = site.radio.airRate;
+  channel.baud = site.radio.baud;
+  channel.nonceSeed = config.seed;
+  std::vector<VehicleAgent> agents;
+  for (const VehicleId id : config.vehicles) {
+    const floor::VehicleSetup* setup = map->vehicle(id);
+    if (setup == nullptr)
+      return failure("The site " + site.name + " has no vehicle with the address " + std::to_string(id.value) + ".");
+    channel.vehicles.push_back({id, setup->key});
+    auto agent = VehicleAgent::create(map, *setup, config.locator, config.controller);
+    if (!agent) return tl::unexpected{agent.error()};
+    agents.push_back(std::move(*agent));
+  }
+  auto impl = std::make_unique<Impl>(std::move(map), config, channel);
+  impl->agents = std::move(agents);
+  return Supervisor{std::move(impl)};
+}
+
+VehicleAgent* Supervisor::Impl::agent(VehicleId id) {
+  const auto found = std::find_if(agents.begin(), agents.end(), [&](const VehicleAgent& a) { return a.id() == id; });
+  return found == agents.end() ? nullptr : &*found;
+}
+
+void Supervisor::portOpened(std::string name, Seconds now) {
+  Impl& s = *impl_;
+  s.log.setTime(now);
+  s.port = {PortState::Open, name, "The port " + name + " is open."};
+  if (s.portLost.active()) {
+    s.portLost.forget();
+    s.log.tell(Severity::Info, EventKind::PortLost, std::nullopt, "The port " + name + " is back.", true);
+  } else {
+    s.log.tell(Severity::Info, EventKind::PortOpened, std::nullopt, s.port.sentence);
+  }
+  s.channel.opened(now);
+}
+
+void Supervisor::portLost(std::string reason, Seconds now) {
+  Impl& s = *impl_;
+  s.log.setTime(now);
+  s.channel.closed();
+  s.port.state = PortState::Lost;
+  const std::string which = s.port.name.empty() ? "The radio's port" : "The port " + s.port.name;
+  s.port.sentence = which + " is lost: " + reason + (reason.ends_with('.') ? "" : ".");
+  if (s.portLost.seen(now) == Episode::Change::Begins)
+    s.log.tell(Severity::Error, EventKind::PortLost, std::nullopt,
+               s.port.sentence + " Vehicles stop by themselves; it is taken up again as soon as it is there.");
+}
+
+void Supervisor::ingest(std::span<const std::uint8_t> bytes, Seconds now) { impl_->channel.ingest(bytes, now); }
+
+void Supervisor::post(Order order) { impl_->orders.push_back(std::move(order)); }
+
+bool Supervisor::allStopped() const {
+  return impl_->port.state != PortState::Open ||
+         std::all_of(impl_->agents.begin(), impl_->agents.end(), [](const VehicleAgent& a) { return a.stopped(); });
+}
+
+TickOutput Supervisor::tick(Seconds now) {
+  Impl& s = *impl_;
+  TickOutput out;
+  s.log.setTime(now);
+  for (const Order& order : std::exchange(s.orders, {})) s.carryOut(order);
+  // Twice: first what has been heard, so that commands are decided on the newest picture; then the air.
+  for (const link::LinkEvent& e : s.channel.heard()) s.hear(e, now);
+  const ChannelTiming timing{s.channel.effectiveAt(now), s.channel.cyclePeriod()};
+  for (VehicleAgent& agent : s.agents) s.channel.wish(agent.id(), agent.decide(now, timing, s.log));
+  link::Channel::Output air = s.channel.poll(now);
+  for (const link::LinkEvent& e : air.events) s.hear(e, now);
+  s.endEpisodes(now);
+
+  out.bytes = std::move(air.bytes);
+  out.wake = std::min(air.wake, now + s.config.tick);
+  if (now >= s.nextSnapshot || !s.log.empty()) {
+    out.snapshot = s.picture(now);
+    s.nextSnapshot = now + s.config.tick;
+  }
+  out.events = s.log.take();
+  return out;
+}
+
+void Supervisor::Impl::carryOut(const Order& order) {
+  if (std::holds_alternative<StopAll>(order)) {
+    for (VehicleAgent& a : agents) a.stop(log);
+    return;
+  }
+  const VehicleId id = std::visit(
+      [](const auto& o) {
+        if constexpr (requires { o.vehicle; })
+          return o.vehicle;
+        else
+          return VehicleId{};
+      },
+      order);
+  VehicleAgent* a = agent(id);
+  if (a == nullptr) {
+    log.tell(Severity::Warning, EventKind::OrderRefused, std::nullopt,
+             "An order is for the vehicle " + std::to_string(id.value) + ", which is not looked after here.");
+    return;
+  }
+  if (const auto* run = std::get_if<RunRoute>(&order)) a->run(*run, log);
+  if (std::holds_alternative<Pause>(order)) a->pause(log);
+  if (std::holds_alternative<Resume>(order)) a->resume(log);
+  if (std::holds_alternative<Stop>(order)) a->stop(log);
+  if (std::holds_alternative<Clear>(order)) a->clear();
+  if (const auto* ask = std::get_if<Ask>(&order))
+    if (!channel.request(id, ask->request))
+      log.tell(Severity::Warning, EventKind::OrderRefused, id, a->name() + ": too many requests are waiting already.");
+}
+
+void Supervisor::Impl::hear(const link::LinkEvent& event, Seconds now) {
+  std::visit(
+      [&](const auto& e) {
+        using E = std::decay_t<decltype(e)>;
+        if constexpr (std::is_same_v<E, link::Noise>) {
+          hearNoise(e, now);
+        } else {
+          VehicleAgent* a = agent(e.vehicle);
+          if (a == nullptr) return;
+          if constexpr (std::is_same_v<E, link::Answered>)
+            log.tell(e.value ? Severity::Info : Severity::Warning, EventKind::Answer, e.vehicle,
+                     answerSentence(a->name(), e));
+          else if constexpr (std::is_same_v<E, link::CommandSent> || std::is_same_v<E, link::CommandAcknowledged>)
+            a->take(e);
+          else if constexpr (std::is_same_v<E, link::Silent> || std::is_same_v<E, link::Disbelieved>)
+            a->take(e, now, log);
+          else
+            a->take(e, log);
+        }
+      },
+      event);
+}
+
+void Supervisor::Impl::hearNoise(const link::Noise& noise, Seconds now) {
+  const bool bad = noise.damaged > 0 || noise.skipped > 0;
+  if (bad && damaged.seen(now, std::max(noise.damaged, 1U)) == Episode::Change::Begins)
+    log.tell(Severity::Warning, EventKind::DamagedFrames, std::nullopt,
+             "Damaged bytes come from the radio and are dropped: noise, two senders at once, or a changed byte.");
+  if (noise.foreign > 0 && strangers.seen(now, noise.foreign) == Episode::Change::Begins)
+    log.tell(Severity::Warning, EventKind::StrangeFrames, std::nullopt,
+             "Somebody who does not belong to this site sends on the radio channel; the frames are dropped.");
+}
+
+void Supervisor::Impl::endEpisodes(Seconds now) {
+  if (damaged.notSeen(now) == Episode::Change::Ends)
+    log.tell(Severity::Info, EventKind::DamagedFrames, std::nullopt,
+             "No more damaged bytes from the radio; " + std::to_string(damaged.count()) + " stretches were dropped.",
+             true);
+  if (strangers.notSeen(now) == Episode::Change::Ends)
+    log.tell(Severity::Info, EventKind::StrangeFrames, std::nullopt,
+             "No more strangers on the radio channel; " + std::to_string(strangers.count()) + " frames were dropped.",
+             true);
+}
+
+std::shared_ptr<const Snapshot> Supervisor::Impl::picture(Seconds now) const {
+  auto snapshot = std::make_shared<Snapshot>();
+  snapshot->time = now;
+  snapshot->port = port;
+  const link::AirTiming& timing = channel.timing();
+  snapshot->channel = {channel.cyclePeriod(),     Seconds{timing.slotUnits() * wire::kSlotUnitMs / 1000.0},
+                       timing.factor(),           channel.counters().frames,
+                       channel.counters().badCrc, channel.counters().skipped};
+  for (const VehicleAgent& agent : agents)
+    snapshot->vehicles.push_back(agent.view(now, port, channel.peer(agent.id())->quality));
+  return snapshot;
+}
+
+}  // namespace tessera::supervisor

@@ -1,0 +1,232 @@
+// Orders and decisions; what the channel tells is taken in vehicle_agent_link.cpp.
+#include "supervisor/vehicle_agent.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "floor/bearing.h"
+
+namespace tessera::supervisor {
+namespace {
+
+constexpr Seconds kShortestExpiry{0.4};
+constexpr Seconds kLongestExpiry{5.1};
+constexpr double kExpiryCycles = 3.0;
+constexpr Seconds kUnpredictedDelay{0.01};  // of the radio's delay, what the measured mean does not tell
+constexpr MetresPerSecond kStanding{0.005};
+
+}  // namespace
+
+VehicleAgent::VehicleAgent(std::shared_ptr<const floor::SiteMap> map, floor::VehicleSetup setup)
+    : map_{std::move(map)}, setup_{std::move(setup)}, ability_{drive::abilityOf(setup_)} {
+  name_ = setup_.name.empty() ? "Vehicle " + std::to_string(setup_.id.value) : setup_.name;
+  for (const FaultText& text : faultTexts()) faults_.emplace_back(text.quiet);
+}
+
+Result<VehicleAgent> VehicleAgent::create(std::shared_ptr<const floor::SiteMap> map, const floor::VehicleSetup& setup,
+                                          const std::string& locator, const std::string& controller) {
+  VehicleAgent agent{map, setup};
+  auto made = locate::makeLocator(locator.empty() ? locate::locatorNames().front() : locator, map, setup);
+  if (!made) return tl::unexpected{made.error()};
+  agent.locator_ = std::move(*made);
+  const auto known = drive::followerNames();
+  agent.controller_ = controller.empty() ? std::string{known.front()} : controller;
+  if (std::find(known.begin(), known.end(), agent.controller_) == known.end())
+    return failure("There is no controller called \"" + controller + "\".");
+  return agent;
+}
+
+// --- orders
+// -----------------------------------------------------------------------------------------------------------
+
+void VehicleAgent::refuse(EventLog& log, const std::string& what) const {
+  log.tell(Severity::Warning, EventKind::OrderRefused, id(), name_ + ": " + what);
+}
+
+void VehicleAgent::run(const RunRoute& order, EventLog& log) {
+  const floor::Route* route = map_->route(order.route);
+  if (route == nullptr) return refuse(log, "the site has no route called \"" + order.route + "\".");
+  if (!(order.speed > MetresPerSecond{0.0}))
+    return refuse(log, "the speed for the route " + order.route + " must be above zero.");
+  drive::FollowerSetup setup;
+  setup.route = *route;
+  setup.ability = ability_;
+  setup.plan.requested = std::min(order.speed, ability_.maxSpeed);
+  auto follower = drive::makeRouteFollower(controller_, setup);
+  if (!follower) return refuse(log, follower.error().sentence);
+  follower_ = std::move(*follower);
+  routeName_ = order.route;
+  decision_.reset();
+  task_ = Task::Running;
+  log.tell(Severity::Info, EventKind::RouteStarted, id(),
+           name_ + " starts on the route " + routeName_ + " at " + decimal(setup.plan.requested.value(), 2) + " m/s.");
+}
+
+void VehicleAgent::pause(EventLog& log) {
+  if (task_ != Task::Running) return refuse(log, "it cannot pause, as it runs no route.");
+  task_ = Task::Paused;
+  log.tell(Severity::Info, EventKind::Paused, id(), name_ + " pauses on the route " + routeName_ + ".");
+}
+
+void VehicleAgent::resume(EventLog& log) {
+  if (task_ != Task::Paused) return refuse(log, "it cannot go on, as it does not pause.");
+  task_ = Task::Running;
+  log.tell(Severity::Info, EventKind::Resumed, id(), name_ + " goes on along the route " + routeName_ + ".");
+}
+
+void VehicleAgent::stop(EventLog& log) {
+  if (task_ == Task::Running || task_ == Task::Paused)
+    log.tell(Severity::Info, EventKind::RouteStopped, id(), name_ + " gives up the route " + routeName_ + " by order.");
+  task_ = Task::Stopped;
+}
+
+bool VehicleAgent::stopped() const {
+  if (contact_ != Contact::Connected) return true;
+  if (task_ == Task::Running || !last_ || !sent_ || sent_->view.mode != wire::CommandMode::Stop) return false;
+  const wire::VehicleState state = last_->report.state;
+  const bool moves = state == wire::VehicleState::Driving || state == wire::VehicleState::Turning;
+  return !moves && sent_->view.status == CommandStatus::Acknowledged && last_->report.speed == 0;
+}
+
+// --- decisions
+// --------------------------------------------------------------------------------------------------------
+
+drive::VehicleState VehicleAgent::state() const {
+  return {estimate_.at,     estimate_.pose, estimate_.speed, estimate_.turnRate, estimate_.positionSigma(),
+          estimate_.located};
+}
+
+link::Wish VehicleAgent::decide(Seconds now, const ChannelTiming& timing, EventLog& log) {
+  for (auto [episode, kind, text] : {std::tuple{&forged_, EventKind::ForgedFrames, " forged frames"},
+                                     std::tuple{&replayed_, EventKind::ReplayedFrames, " replayed frames"},
+                                     std::tuple{&strange_, EventKind::StrangeFrames, " senseless frames"}}) {
+    if (episode->notSeen(now) == Episode::Change::Ends)
+      log.tell(Severity::Info, kind, id(),
+               "No more" + std::string{text} + " in the name of " + name_ + "; " + std::to_string(episode->count()) +
+                   " were dropped.",
+               true);
+  }
+  follow(now, timing, log);
+  return wishFor(timing);
+}
+
+void VehicleAgent::follow(Seconds now, const ChannelTiming& timing, EventLog& log) {
+  predicted_ = drive::predict(state(), history_.commands(), timing.effectiveAt, ability_).pose;
+  if (task_ != Task::Running || !follower_ || contact_ != Contact::Connected || !last_) return;
+  const drive::VehicleState expected = drive::predict(state(), history_.commands(), timing.effectiveAt, ability_);
+  decision_ = follower_->decide({expected, timing.cycle + kUnpredictedDelay}, now);
+  if (decision_->phase != drive::Phase::Finished || abs(estimate_.speed) > kStanding) return;
+  task_ = Task::Finished;
+  log.tell(Severity::Info, EventKind::RouteFinished, id(),
+           name_ + " has reached the end of the route " + routeName_ + ".");
+}
+
+link::Wish VehicleAgent::wishFor(const ChannelTiming& timing) const {
+  link::Wish wish;
+  if (clearing_) {
+    wish.mode = wire::CommandMode::Clear;
+  } else if (task_ == Task::None) {
+    wish.mode = wire::CommandMode::Poll;
+  } else if (task_ != Task::Running || !decision_ || !estimate_.located) {
+    wish.mode = wire::CommandMode::Stop;
+  } else {
+    wish.mode = wire::CommandMode::Drive;
+    wish.speed = decision_->command.speed;
+    // The vehicle holds a heading by its own compass, whose bias the locator has learned.
+    const Radians shown = decision_->command.heading + estimate_.headingBias;
+    wish.bearing = floor::toBinaryAngle(floor::bearingOfHeading(shown, map_->site().northToY));
+    wish.expiry = std::clamp(kExpiryCycles * timing.cycle, kShortestExpiry, kLongestExpiry);
+  }
+  return wish;
+}
+
+// --- the picture
+// ------------------------------------------------------------------------------------------------------
+
+std::optional<CommandView> VehicleAgent::commandView(Seconds now) const {
+  if (!sent_) return std::nullopt;
+  CommandView view = sent_->view;
+  const bool drive = view.mode == wire::CommandMode::Drive;
+  if (drive && now > sent_->effectiveAt + view.expiry) view.status = CommandStatus::Expired;
+  if (!drive && view.status == CommandStatus::Acknowledged && last_ && last_->report.speed == 0)
+    view.status = CommandStatus::Done;
+  return view;
+}
+
+std::string VehicleAgent::waitReason(Seconds now, const PortView& port) const {
+  if (task_ == Task::Paused) return name_ + " waits: it was told to pause.";
+  if (task_ != Task::Running) return {};
+  if (port.state != PortState::Open)
+    return name_ + " waits: " + (port.name.empty() ? "the port" : port.name) + " is not open.";
+  switch (contact_) {
+    case Contact::Calling:
+      return name_ + " waits: it has not answered our call yet.";
+    case Contact::Refused:
+      return name_ + " waits: it cannot be talked to, see the events.";
+    case Contact::Silent:
+      return name_ + " waits: it has not answered for " + decimal(last_ ? (now - last_->receivedAt).value() : 0.0, 0) +
+             " s.";
+    case Contact::Connected:
+      break;
+  }
+  if (!last_) return name_ + " waits: its first report has not come yet.";
+  const wire::Report& report = last_->report;
+  switch (report.state) {
+    case wire::VehicleState::Faulted:
+      return name_ + " waits: a fault holds it until it is cleared.";
+    case wire::VehicleState::Calibrating:
+      return name_ + " waits: it calibrates its compass.";
+    case wire::VehicleState::Obstacle:
+      if (report.range == 255) return name_ + " waits: an obstacle stood before it.";
+      return name_ + " waits: an obstacle stands " + std::to_string(report.range) + " cm before it.";
+    default:
+      break;
+  }
+  if (!estimate_.located) return name_ + " waits: its place is not known. Put it where it reads tags.";
+  if (decision_ && decision_->phase == drive::Phase::Lost)
+    return name_ + " waits: " + drive::sentence(*decision_, follower_->route());
+  if (report.state == wire::VehicleState::Expired) return name_ + " waits: its last command ran out.";
+  return {};
+}
+
+VehicleView VehicleAgent::view(Seconds now, const PortView& port, const link::LinkQuality& quality) const {
+  VehicleView v;
+  v.id = id();
+  v.name = name_;
+  v.contact = contact_;
+  v.task = task_;
+  v.firmware = firmware_;
+  v.located = estimate_.located && last_.has_value();
+  v.pose = last_ ? drive::predict(state(), history_.commands(), now, ability_).pose : estimate_.pose;
+  v.predicted = predicted_;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      v.covariance[static_cast<std::size_t>(3 * row + column)] = estimate_.covariance(row, column);
+  if (last_) {
+    const wire::Report& report = last_->report;
+    v.state = report.state;
+    v.faults = report.faults;
+    v.speed = MetresPerSecond{report.speed / 1000.0};
+    v.batteryVolts = report.battery / 10.0;
+    if (report.range != 255) v.obstacle = Metres{report.range / 100.0};
+  }
+  v.link = {quality.lastHeard, quality.lastHeard ? now - *quality.lastHeard : now,
+            quality.roundTrip, quality.loss,
+            quality.reports,   quality.missed,
+            quality.forged,    quality.replayed,
+            quality.restarts,  quality.tagEventsLost};
+  v.route = routeName_;
+  if (follower_) v.length = follower_->route().length();
+  if (decision_ && follower_) {
+    v.progress = decision_->progress;
+    v.crossTrack = decision_->crossTrack;
+    v.doing = drive::sentence(*decision_, follower_->route());
+  }
+  v.command = commandView(now);
+  v.waits = waitReason(now, port);
+  v.reads = reads_;
+  v.finished = task_ == Task::Finished;
+  return v;
+}
+
+}  // namespace tessera::supervisor

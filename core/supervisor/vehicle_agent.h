@@ -1,0 +1,123 @@
+// One vehicle in the supervisor's eyes: what the channel tells of it goes in, what it shall do comes out. It owns the
+// vehicle's locator and follower and knows why the vehicle waits.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "drive/route_follower.h"
+#include "floor/site_map.h"
+#include "link/link_event.h"
+#include "link/peer.h"
+#include "locate/locator.h"
+#include "supervisor/command_history.h"
+#include "supervisor/episode.h"
+#include "supervisor/event_log.h"
+#include "supervisor/odometer.h"
+#include "supervisor/order.h"
+#include "supervisor/sentences.h"
+#include "supervisor/snapshot.h"
+
+namespace tessera::supervisor {
+
+/// What the agent needs to know of the channel when it decides.
+struct ChannelTiming {
+  Seconds effectiveAt;  ///< when a command that is sent now takes effect
+  Seconds cycle;        ///< time between two commands
+};
+
+class VehicleAgent {
+public:
+  /// Error: an unknown locator or controller.
+  [[nodiscard]] static Result<VehicleAgent> create(std::shared_ptr<const floor::SiteMap> map,
+                                                   const floor::VehicleSetup& setup, const std::string& locator,
+                                                   const std::string& controller);
+
+  [[nodiscard]] VehicleId id() const { return setup_.id; }
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+  // Orders. What cannot be carried out is told as OrderRefused.
+  void run(const RunRoute& order, EventLog& log);
+  void pause(EventLog& log);
+  void resume(EventLog& log);
+  void stop(EventLog& log);
+  void clear() { clearing_ = true; }
+
+  // What the channel tells of this vehicle.
+  void take(const link::Identified& e, EventLog& log);
+  void take(const link::WrongKey& e, EventLog& log);
+  void take(const link::WrongVersion& e, EventLog& log);
+  void take(const link::Restarted& e, EventLog& log);
+  void take(const link::Silent& e, Seconds now, EventLog& log);
+  void take(const link::BackAgain& e, EventLog& log);
+  void take(const link::Reported& e, EventLog& log);
+  void take(const link::CommandSent& e);
+  void take(const link::CommandAcknowledged& e);
+  void take(const link::Disbelieved& e, Seconds now, EventLog& log);
+
+  /// Decides what the vehicle shall do, as of `now`, and ends episodes that are over.
+  [[nodiscard]] link::Wish decide(Seconds now, const ChannelTiming& timing, EventLog& log);
+  [[nodiscard]] VehicleView view(Seconds now, const PortView& port, const link::LinkQuality& quality) const;
+  /// It stands by an acknowledged Stop, or is not in touch, in which case it stops by itself.
+  [[nodiscard]] bool stopped() const;
+
+private:
+  VehicleAgent(std::shared_ptr<const floor::SiteMap> map, floor::VehicleSetup setup);
+  void refuse(EventLog& log, const std::string& what) const;
+  void inTouch(EventLog& log);
+  void takeTags(const link::Reported& e, EventLog& log);
+  void watchState(Seconds now, EventLog& log);
+  void watchPlace(EventLog& log);
+  [[nodiscard]] drive::VehicleState state() const;
+  void follow(Seconds now, const ChannelTiming& timing, EventLog& log);
+  [[nodiscard]] link::Wish wishFor(const ChannelTiming& timing) const;
+  [[nodiscard]] std::string waitReason(Seconds now, const PortView& port) const;
+  [[nodiscard]] std::optional<CommandView> commandView(Seconds now) const;
+
+  std::shared_ptr<const floor::SiteMap> map_;
+  floor::VehicleSetup setup_;
+  std::string name_;
+  std::string controller_;
+  drive::VehicleAbility ability_;
+  std::unique_ptr<locate::Locator> locator_;
+  std::unique_ptr<drive::RouteFollower> follower_;
+  std::string routeName_;
+
+  Task task_ = Task::None;
+  Contact contact_ = Contact::Calling;
+  bool clearing_ = false;
+  std::string firmware_;
+  std::optional<link::Reported> last_;
+  locate::Estimate estimate_;  ///< at the last report
+  Odometer odometer_;
+  CommandHistory history_;
+  std::optional<drive::Decision> decision_;
+  Pose predicted_;
+  std::uint32_t reads_ = 0;
+
+  struct Sent {
+    CommandView view;
+    std::uint32_t counter = 0;
+    Seconds effectiveAt;
+  };
+  std::optional<Sent> sent_;
+
+  Episode wrongKey_;
+  Episode wrongVersion_;
+  Episode silent_;
+  Episode restart_;
+  Episode obstacle_;
+  Episode expired_;
+  Episode lost_;
+  Episode forged_{Seconds{5.0}};
+  Episode replayed_{Seconds{5.0}};
+  Episode strange_{Seconds{5.0}};
+  std::vector<Episode> faults_;  ///< in the order of faultTexts()
+  std::set<floor::TagUid> unknownTags_;
+  bool everLocated_ = false;
+};
+
+}  // namespace tessera::supervisor

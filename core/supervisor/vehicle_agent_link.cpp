@@ -1,0 +1,222 @@
+// What the channel tells of a vehicle, and the sentences that come of it.
+#include <algorithm>
+
+#include "floor/bearing.h"
+#include "supervisor/vehicle_agent.h"
+
+namespace tessera::supervisor {
+namespace {
+
+using Change = Episode::Change;
+
+constexpr std::size_t kMaxUnknownTags = 100;  // told by name; more are a floor that was not registered
+
+std::string hardwareText(std::uint8_t hardware) {
+  switch (hardware) {
+    case 1:
+      return "LM3S6965";
+    case 2:
+      return "host build";
+    default:
+      return "other hardware";
+  }
+}
+
+}  // namespace
+
+void VehicleAgent::inTouch(EventLog& log) {
+  if (silent_.notSeen(Seconds{0}) == Change::Ends)
+    log.tell(Severity::Info, EventKind::Silent, id(), name_ + " answers again.", true);
+  if (wrongKey_.active()) {
+    wrongKey_.forget();
+    log.tell(Severity::Info, EventKind::WrongKey, id(), name_ + " now bears the site's key.", true);
+  }
+  if (wrongVersion_.active()) {
+    wrongVersion_.forget();
+    log.tell(Severity::Info, EventKind::WrongVersion, id(), name_ + " now speaks our version of the protocol.", true);
+  }
+  contact_ = Contact::Connected;
+}
+
+void VehicleAgent::take(const link::Identified& e, EventLog& log) {
+  const wire::Identity& who = e.identity;
+  firmware_ = std::to_string(who.firmwareMajor) + "." + std::to_string(who.firmwareMinor) + "." +
+              std::to_string(who.firmwarePatch) + " on " + hardwareText(who.hardware);
+  const bool known = contact_ == Contact::Silent || restart_.active();
+  if (e.restarted) {
+    // Its odometer and its commands are gone; its place is what it was.
+    odometer_.restart();
+    history_.clear();
+    if (restart_.active()) {
+      restart_.forget();
+      log.tell(Severity::Info, EventKind::Restarted, id(), name_ + " is in touch again after its restart.", true);
+    } else {
+      log.tell(Severity::Warning, EventKind::Restarted, id(), name_ + " has restarted while it was out of touch.");
+      log.tell(Severity::Info, EventKind::Restarted, id(), name_ + " is in touch again after its restart.", true);
+    }
+  }
+  restart_.forget();
+  inTouch(log);
+  if (!known)
+    log.tell(Severity::Info, EventKind::Identified, id(),
+             name_ + " is identified: firmware " + firmware_ + ", " + std::to_string(who.readers) + " tag readers, " +
+                 std::to_string(who.rangers) + " rangers.");
+  if (who.readers != setup_.readers.size())
+    log.tell(Severity::Warning, EventKind::Identified, id(),
+             name_ + " has " + std::to_string(who.readers) + " tag readers, the site says " +
+                 std::to_string(setup_.readers.size()) + ".");
+}
+
+void VehicleAgent::take(const link::WrongKey&, EventLog& log) {
+  contact_ = Contact::Refused;
+  if (wrongKey_.seen(Seconds{0}) == Change::Begins)
+    log.tell(
+        Severity::Error, EventKind::WrongKey, id(),
+        name_ + " answers with another key than the site's; it is not commanded. Commission it, or mend the site.");
+}
+
+void VehicleAgent::take(const link::WrongVersion& e, EventLog& log) {
+  contact_ = Contact::Refused;
+  if (wrongVersion_.seen(Seconds{0}) == Change::Begins)
+    log.tell(Severity::Error, EventKind::WrongVersion, id(),
+             name_ + " speaks version " + std::to_string(e.protocol) + " of the protocol, this program speaks " +
+                 std::to_string(wire::kProtocolVersion) + "; it is not commanded.");
+}
+
+void VehicleAgent::take(const link::Restarted& e, EventLog& log) {
+  contact_ = Contact::Calling;
+  history_.clear();
+  if (silent_.active()) silent_.forget();
+  if (restart_.seen(Seconds{0}) == Change::Begins)
+    log.tell(Severity::Warning, EventKind::Restarted, id(),
+             name_ + " has restarted (" + std::string{causeText(e.cause)} + "); it is called again.");
+}
+
+void VehicleAgent::take(const link::Silent& e, Seconds now, EventLog& log) {
+  contact_ = Contact::Silent;
+  if (silent_.seen(Seconds{0}) == Change::Begins)
+    log.tell(Severity::Error, EventKind::Silent, id(),
+             name_ + " has not answered for " + decimal((now - e.since).value(), 1) +
+                 " s; it stops by itself when its command runs out, and is called until it answers.");
+}
+
+void VehicleAgent::take(const link::BackAgain&, EventLog& log) { inTouch(log); }
+
+void VehicleAgent::take(const link::CommandSent& e) {
+  const Seconds expiry{e.entry.expiry * wire::kExpiryUnitMs / 1000.0};
+  if (e.entry.mode == wire::CommandMode::Poll) return;
+  Sent sent;
+  sent.view.mode = e.entry.mode;
+  sent.view.sentAt = e.sentAt;
+  sent.counter = e.counter;
+  sent.effectiveAt = e.effectiveAt;
+  if (e.entry.mode == wire::CommandMode::Drive && decision_) {
+    sent.view.speed = decision_->command.speed;
+    sent.view.heading = decision_->command.heading;
+    sent.view.expiry = expiry;
+    history_.drive(decision_->command, e.effectiveAt, expiry);
+  } else {
+    history_.stand(e.effectiveAt);
+  }
+  sent_ = sent;
+}
+
+void VehicleAgent::take(const link::CommandAcknowledged& e) {
+  if (!sent_ || sent_->counter != e.counter) return;
+  sent_->view.status = CommandStatus::Acknowledged;
+  if (sent_->view.mode == wire::CommandMode::Clear) clearing_ = false;
+}
+
+void VehicleAgent::take(const link::Disbelieved& e, Seconds now, EventLog& log) {
+  switch (e.why) {
+    case link::Disbelief::Forged:
+      if (forged_.seen(now) == Change::Begins)
+        log.tell(Severity::Warning, EventKind::ForgedFrames, id(),
+                 "A frame in the name of " + name_ +
+                     " does not bear its key and was dropped: forged, or changed on the way.");
+      return;
+    case link::Disbelief::Replayed:
+      if (replayed_.seen(now) == Change::Begins)
+        log.tell(Severity::Warning, EventKind::ReplayedFrames, id(),
+                 "A frame of " + name_ + " came a second time and was dropped: somebody repeats old frames.");
+      return;
+    default:
+      if (strange_.seen(now) == Change::Begins)
+        log.tell(Severity::Warning, EventKind::StrangeFrames, id(),
+                 "A frame in the name of " + name_ + " makes no sense and was dropped.");
+  }
+}
+
+void VehicleAgent::take(const link::Reported& e, EventLog& log) {
+  last_ = e;
+  const Radians bearing = floor::fromBinaryAngle(e.report.bearing);
+  locator_->add(locate::Motion{e.sampledAt, odometer_.add(e.report.travel), MetresPerSecond{e.report.speed / 1000.0},
+                               floor::headingOfBearing(bearing, map_->site().northToY)});
+  takeTags(e, log);
+  estimate_ = locator_->at(locator_->lastMotion());
+  watchPlace(log);
+  watchState(e.receivedAt, log);
+}
+
+void VehicleAgent::takeTags(const link::Reported& e, EventLog& log) {
+  if (e.tagEventsLost > 0)
+    log.tell(Severity::Warning, EventKind::TagEventsLost, id(),
+             std::to_string(e.tagEventsLost) + " tag reads of " + name_ + " were lost.");
+  for (const link::TimedTagEvent& tag : e.tags) {
+    if (tag.older) continue;  // an instant that is not known would mislead more than the read tells
+    if (tag.event.kind == wire::EventKind::Left) {
+      locator_->add(locate::TagLeft{tag.event.reader, tag.at});
+      continue;
+    }
+    const auto uid = floor::TagUid::fromBytes(wire::Bytes{tag.event.uid}.first(wire::uidLength(tag.event.kind)));
+    if (!uid) continue;
+    ++reads_;
+    locator_->add(locate::TagRead{tag.event.reader, *uid, tag.at});
+    const bool news = !map_->find(*uid) && unknownTags_.size() < kMaxUnknownTags && unknownTags_.insert(*uid).second;
+    if (news)
+      log.tell(Severity::Warning, EventKind::UnknownTag, id(),
+               name_ + " read the tag " + uid->text() + ", which the site does not have.");
+  }
+}
+
+void VehicleAgent::watchPlace(EventLog& log) {
+  if (estimate_.located && !everLocated_) {
+    everLocated_ = true;
+    log.tell(Severity::Info, EventKind::Located, id(), name_ + " is located.");
+  } else if (everLocated_ && lost_.update(!estimate_.located, Seconds{0}) != Change::None) {
+    if (lost_.active())
+      log.tell(Severity::Error, EventKind::Located, id(), name_ + " has lost its place and stands.", true);
+    else
+      log.tell(Severity::Info, EventKind::Located, id(), name_ + " has found its place again.");
+  }
+}
+
+void VehicleAgent::watchState(Seconds now, EventLog& log) {
+  const wire::Report& report = last_->report;
+  const Change obstacle = obstacle_.update(report.state == wire::VehicleState::Obstacle, now);
+  if (obstacle == Change::Begins)
+    log.tell(Severity::Warning, EventKind::Obstacle, id(),
+             name_ + " stands before an obstacle" +
+                 (report.range == 255 ? "" : ", " + std::to_string(report.range) + " cm away") + ".");
+  if (obstacle == Change::Ends)
+    log.tell(Severity::Info, EventKind::Obstacle, id(), "The obstacle before " + name_ + " is gone.", true);
+
+  const Change expired = expired_.update(task_ == Task::Running && report.state == wire::VehicleState::Expired, now);
+  if (expired == Change::Begins)
+    log.tell(Severity::Warning, EventKind::Expired, id(),
+             name_ + " stopped by itself, because no command reached it in time.");
+  if (expired == Change::Ends)
+    log.tell(Severity::Info, EventKind::Expired, id(), name_ + " takes commands again.", true);
+
+  for (std::size_t i = 0; i < faults_.size(); ++i) {
+    const FaultText& text = faultTexts()[i];
+    const Change change = faults_[i].update((report.faults & text.bit) != 0, now);
+    if (change == Change::Begins)
+      log.tell(text.error ? Severity::Error : Severity::Warning, EventKind::Fault, id(),
+               name_ + " " + std::string{text.begins});
+    if (change == Change::Ends)
+      log.tell(Severity::Info, EventKind::Fault, id(), name_ + " " + std::string{text.ends}, true);
+  }
+}
+
+}  // namespace tessera::supervisor
