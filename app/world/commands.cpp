@@ -1,0 +1,178 @@
+#include "app/world/commands.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <vector>
+
+namespace tessera::world {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+std::optional<double> number(const std::string& word) {
+  double value = 0;
+  const auto [end, bad] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (bad != std::errc{} || end != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+/// `count` finite numbers from the second word on.
+std::optional<std::vector<double>> numbers(const Words& words, std::size_t count) {
+  if (words.size() != count + 1) return std::nullopt;
+  std::vector<double> values;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const auto value = number(words[i]);
+    if (!value) return std::nullopt;
+    values.push_back(*value);
+  }
+  return values;
+}
+
+std::optional<std::size_t> count(const Words& words, std::size_t most) {
+  const auto values = numbers(words, 1);
+  if (!values || (*values)[0] < 1 || (*values)[0] > static_cast<double>(most) ||
+      std::floor((*values)[0]) != (*values)[0])
+    return std::nullopt;
+  return static_cast<std::size_t>((*values)[0]);
+}
+
+std::optional<std::vector<std::uint8_t>> hexBytes(const std::string& word) {
+  std::vector<std::uint8_t> bytes;
+  if (word.size() % 2 != 0 || word.size() > 2000) return std::nullopt;
+  for (std::size_t i = 0; i < word.size(); i += 2) {
+    std::uint8_t byte = 0;
+    const auto [end, bad] = std::from_chars(word.data() + i, word.data() + i + 2, byte, 16);
+    if (bad != std::errc{} || end != word.data() + i + 2) return std::nullopt;
+    bytes.push_back(byte);
+  }
+  return bytes;
+}
+
+/// The vehicle that the second word names, if there is one.
+std::optional<VehicleId> vehicle(const Words& words, const sim::World& world) {
+  const auto value = words.size() > 1 ? number(words[1]) : std::nullopt;
+  if (!value || *value < 1 || *value > 254) return std::nullopt;
+  const VehicleId id{static_cast<std::uint8_t>(*value)};
+  return world.truth(id) && std::floor(*value) == *value ? std::optional{id} : std::nullopt;
+}
+
+using Answer = Result<std::string>;
+
+Answer misused(const char* usage) { return failure(std::string{"Expected: "} + usage + "."); }
+
+Answer kill(const Words& w, sim::World& world) {
+  const auto id = vehicle(w, world);
+  if (!id || w.size() != 2) return misused("kill ID, with the address of a vehicle that is there");
+  world.kill(*id);
+  return "vehicle " + w[1] + " is without power";
+}
+
+Answer start(const Words& w, sim::World& world) {
+  const auto id = vehicle(w, world);
+  if (!id || w.size() != 2) return misused("start ID, with the address of a vehicle that is there");
+  if (auto started = world.start(*id); !started) return tl::unexpected{started.error()};
+  return "vehicle " + w[1] + " has started";
+}
+
+Answer push(const Words& w, sim::World& world) {
+  const auto id = vehicle(w, world);
+  const auto v = numbers(w, 4);
+  if (!id || !v) return misused("push ID DX DY DTHETA, in metres and degrees");
+  world.push(*id, {Metres{(*v)[1]}, Metres{(*v)[2]}}, fromDegrees((*v)[3]));
+  return "vehicle " + w[1] + " was moved";
+}
+
+Answer obstacle(const Words& w, sim::World& world) {
+  if (w.size() == 2 && w[1] == "clear") {
+    world.clearObstacles();
+    return "all posts are gone";
+  }
+  const auto v = numbers(w, 3);
+  if (!v || (*v)[2] <= 0) return misused("obstacle X Y R in metres with R above 0, or obstacle clear");
+  world.addObstacle({{Metres{(*v)[0]}, Metres{(*v)[1]}}, Metres{(*v)[2]}});
+  return "a post stands there";
+}
+
+Answer noise(const Words& w, sim::World& world) {
+  const auto n = count(w, 100'000);
+  if (!n) return misused("noise N, with N from 1 to 100000");
+  world.noise(*n);
+  return std::to_string(*n) + " random bytes go on the air";
+}
+
+Answer inject(const Words& w, sim::World& world) {
+  const auto bytes = w.size() == 2 ? hexBytes(w[1]) : std::nullopt;
+  if (!bytes || bytes->empty()) return misused("inject HEX, with at most 1000 bytes as pairs of hexadecimal digits");
+  world.inject(*bytes);
+  return std::to_string(bytes->size()) + " bytes go on the air";
+}
+
+Answer corrupt(const Words& w, sim::World& world) {
+  const auto n = count(w, 1'000'000);
+  if (!n) return misused("corrupt N, with N from 1 to 1000000");
+  world.tap().corruptNext(*n, {}, 7);  // behind the header, so that the frame still looks like one
+  return "a byte will change in each of the next " + w[1] + " packets";
+}
+
+Answer drop(const Words& w, sim::World& world) {
+  const auto n = count(w, 1'000'000);
+  if (!n) return misused("drop N, with N from 1 to 1000000");
+  world.tap().dropNext(*n);
+  return "the next " + w[1] + " packets will be suppressed";
+}
+
+Answer replay(const Words& w, sim::World& world) {
+  const auto n = count(w, sim::ChannelTap::kMemory);
+  const auto& heard = world.tap().heard();
+  if (!n || *n > heard.size()) return misused("replay N, with N from 1 to the number of packets heard, at most 256");
+  world.inject(heard[heard.size() - *n]);
+  return "an old packet goes on the air once more";
+}
+
+Answer where(const Words& w, sim::World& world) {
+  const auto id = vehicle(w, world);
+  if (!id || w.size() != 2) return misused("where ID, with the address of a vehicle that is there");
+  const auto truth = *world.truth(*id);
+  std::array<char, 120> text{};
+  std::snprintf(text.data(), text.size(), "x %.4f m, y %.4f m, heading %.2f degrees", truth.pose.position.x.value(),
+                truth.pose.position.y.value(), degrees(truth.pose.heading));
+  return std::string{text.data()};
+}
+
+using Command = Answer (*)(const Words&, sim::World&);
+const std::map<std::string, Command, std::less<>> kCommands{
+    {"kill", kill},     {"start", start},     {"push", push}, {"obstacle", obstacle}, {"noise", noise},
+    {"inject", inject}, {"corrupt", corrupt}, {"drop", drop}, {"replay", replay},     {"where", where}};
+
+}  // namespace
+
+Result<std::string> obey(std::string_view line, sim::World& world, Surroundings& surroundings) {
+  Words words;
+  std::istringstream stream{std::string{line}};
+  for (std::string word; stream >> word;) words.push_back(word);
+  if (words.empty()) return std::string{};
+  if (const auto it = kCommands.find(words[0]); it != kCommands.end()) return it->second(words, world);
+  if (words.size() != 1) return failure("There is no command \"" + words[0] + "\", or it takes nothing behind it.");
+  if (words[0] == "pull") {
+    if (auto done = surroundings.pull(); !done) return tl::unexpected{done.error()};
+    return "the port is closed";
+  }
+  if (words[0] == "plug") {
+    auto path = surroundings.plug();
+    if (!path) return path;
+    return "the port is " + *path;
+  }
+  if (words[0] == "quit") {
+    surroundings.quit();
+    return "ending";
+  }
+  return failure("There is no command \"" + words[0] + "\"; see --help.");
+}
+
+}  // namespace tessera::world
