@@ -21,13 +21,16 @@ struct TimedCommand {
   Seconds until;
 };
 
-/// How a vehicle obeys: its heading loop turns it by headingGain·error, limited; its speed goes in ramps.
+/// How a vehicle obeys: its heading loop turns it by headingGain·error, limited; its speed goes in ramps; while it is
+/// off the commanded heading it drives slower, and far off it turns on the spot first.
 struct VehicleAbility {
   MetresPerSecond maxSpeed{0.5};
   RadiansPerSecond maxTurnRate{1.5};
   MetresPerSecond2 acceleration{0.5};
-  Seconds lag{0.10};         ///< of wheels behind their set speed
-  double headingGain = 3.0;  ///< 1/s, of the vehicle's heading hold
+  Seconds lag{0.10};             ///< of wheels behind their set speed
+  double headingGain = 3.0;      ///< 1/s, of the vehicle's heading hold
+  Radians fullSpeedError{0.17};  ///< up to this heading error it drives at the commanded speed ...
+  Radians turnFirstError{0.52};  ///< ... and from this one on it stands and turns
 };
 
 [[nodiscard]] VehicleAbility abilityOf(const floor::VehicleSetup& setup);

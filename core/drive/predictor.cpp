@@ -12,6 +12,13 @@ constexpr double kDoubtPerMetre = 0.04;  // of the way rolled: the vehicle never
 
 double towards(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
 
+/// Share of the commanded speed that a vehicle drives at while its nose is off by this much.
+double shareAt(double error, const VehicleAbility& ability) {
+  const double easy = ability.fullSpeedError.value();
+  const double turnFirst = std::max(ability.turnFirstError.value(), easy + 1e-6);
+  return std::clamp((turnFirst - std::abs(error)) / (turnFirst - easy), 0.0, 1.0);
+}
+
 }  // namespace
 
 VehicleAbility abilityOf(const floor::VehicleSetup& setup) {
@@ -35,12 +42,12 @@ VehicleState predict(const VehicleState& state, std::span<const TimedCommand> co
     while (next < commands.size() && commands[next].from.value() <= t) ++next;
     const bool driven = next > 0 && t < commands[next - 1].until.value();
     if (next > 0) hold.heading = commands[next - 1].command.heading;
-    const double wanted = driven ? commands[next - 1].command.speed.value() : 0.0;
+    const double error = turnBetween(Radians{heading}, hold.heading).value();
+    const double wanted = driven ? commands[next - 1].command.speed.value() * shareAt(error, ability) : 0.0;
     const double dt = std::min(kStep, end - t);
     const double part = share * dt / kStep;
     set = towards(set, wanted, ability.acceleration.value() * dt);
     s.speed += MetresPerSecond{part * (set - s.speed.value())};
-    const double error = turnBetween(Radians{heading}, hold.heading).value();
     const double rate =
         std::clamp(ability.headingGain * error, -ability.maxTurnRate.value(), ability.maxTurnRate.value());
     s.turnRate += RadiansPerSecond{part * (rate - s.turnRate.value())};
