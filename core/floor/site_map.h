@@ -72,10 +72,12 @@ void SiteMap::forEachNear(Point centre, Metres radius, Visit&& visit) const {
   const double y = centre.y.value();
   const double r = radius.value();
   if (tags_.empty() || !(r >= 0.0)) return;
-  const std::size_t firstColumn = column(x - r);
-  const std::size_t lastColumn = column(x + r);
-  const std::size_t lastRow = row(y + r);
-  for (std::size_t at = row(y - r); at <= lastRow; ++at) {
+  // A hair wider than r: a tag on a cell's edge at just that distance must not be lost to rounding.
+  const double reach = r + 1e-9 * (1.0 + r + std::abs(x) + std::abs(y));
+  const std::size_t firstColumn = column(x - reach);
+  const std::size_t lastColumn = column(x + reach);
+  const std::size_t lastRow = row(y + reach);
+  for (std::size_t at = row(y - reach); at <= lastRow; ++at) {
     const std::size_t end = cellStart_[at * columns_ + lastColumn + 1];
     for (std::size_t i = cellStart_[at * columns_ + firstColumn]; i < end; ++i) {
       const PlacedTag& tag = tags_[i];
