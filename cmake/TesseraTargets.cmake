@@ -3,13 +3,6 @@ include(CTest)
 include(GoogleTest)
 
 option(TESSERA_WITH_QT "Build what needs Qt: serial port, charts, command line" ON)
-find_program(TESSERA_ARM_COMPILER arm-none-eabi-g++ DOC "Cross compiler for the vehicle's microcontroller")
-if(TESSERA_ARM_COMPILER)
-  set(arm_default ON)
-else()
-  set(arm_default OFF)
-endif()
-option(TESSERA_WITH_ARM "Build the firmware's ELF for the LM3S6965" ${arm_default})
 option(TESSERA_UNITY "Compile each target's sources in one go" OFF)
 
 set(CMAKE_CXX_STANDARD 20)

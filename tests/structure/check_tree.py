@@ -26,6 +26,7 @@ HEAP = re.compile(r"#\s*include\s*<(string|vector|map|set|deque|list|memory|func
                   r"\b(malloc|calloc|realloc)\s*\(|=\s*new\b|\breturn\s+new\b")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
 LIBRARY = re.compile(r"\btessera_library\(([^)]*)\)")
+LINKING = re.compile(r"\btarget_link_libraries\(([^)]*)\)")
 
 
 def without_comments(text):
@@ -115,40 +116,52 @@ class Tree:
         name = self.name(path)
         return max((f for f in plan if name.startswith(f + "/")), key=len, default=None)
 
+    def read_libraries(self, plan):
+        """{library or program: (its CMakeLists.txt, its folder, the libraries that it links)}"""
+        targets = {}
+        for path in (f for f in self.files if f.name == "CMakeLists.txt"):
+            text = re.sub(r"#.*", "", path.read_text())
+            for call in LIBRARY.findall(text):
+                name, *words = call.split()
+                parts, key = {"SOURCES": [], "DEPS": [], "LIBS": []}, None
+                for word in words:
+                    if word in parts:
+                        key = word
+                    elif key:
+                        parts[key].append(word)
+                source = next((s for s in parts["SOURCES"] if "$" not in s), "anything")
+                folder = self.folder_of(path.parent / source, plan)
+                # A list of sources in a variable says no folder: the name does.
+                folder = folder or next((f for f in plan if f.replace("/", "_") == name), None)
+                targets[name] = (path, folder, parts["DEPS"])
+            for call in LINKING.findall(text):
+                name, *words = call.split()
+                name = name.removeprefix("tessera_")
+                _, folder, deps = targets.setdefault(name, (path, self.folder_of(path.parent / "x", plan), []))
+                deps += [w.removeprefix("tessera_") for w in words if w.startswith("tessera_")]
+        return {n: (p, f, [d for d in deps if d != "options"]) for n, (p, f, deps) in targets.items()
+                if self.name(p).split("/")[0] not in ("tests", "bench")}
+
     def check_libraries(self, allowed):
         """{folder: folders that its libraries' DEPS reach}; holds DEPS to the plan."""
-        home, deps = {}, {}
-        for path in self.files:
-            if path.name != "CMakeLists.txt":
+        targets = self.read_libraries(allowed)
+        for name, (path, folder, deps) in targets.items():
+            if folder is None:
+                self.complain(path, f"{name} lies in a folder that docs/architecture.md does not list")
                 continue
-            for call in LIBRARY.findall(re.sub(r"#.*", "", path.read_text())):
-                words = call.split()
-                parts = {"": []}
-                key = ""
-                for word in words:
-                    if word in ("SOURCES", "DEPS", "LIBS"):
-                        key = word
-                    parts.setdefault(key, []).append(word)
-                source = (parts.get("SOURCES", []) + [""])[1] if len(parts.get("SOURCES", [])) > 1 else "x"
-                home[words[0]] = self.folder_of((path.parent / source), allowed)
-                deps[words[0]] = (path, parts.get("DEPS", ["DEPS"])[1:])
+            for dep in deps:
+                if dep not in targets:
+                    self.complain(path, f"{name} has DEPS {dep}, which no tessera_library declares")
+                elif targets[dep][1] not in allowed[folder]:
+                    self.complain(path, f"{folder} may not know {targets[dep][1]} (DEPS of {name})")
         reach = {}
-        for name, (path, wanted) in deps.items():
-            if home[name] is None:
-                self.complain(path, f"library {name} lies in a folder that docs/architecture.md does not list")
-                continue
-            for dep in wanted:
-                if dep not in home:
-                    self.complain(path, f"library {name} has DEPS {dep}, which no tessera_library declares")
-                elif home[dep] not in allowed[home[name]]:
-                    self.complain(path, f"{home[name]} may not know {home[dep]} (DEPS of {name})")
         try:
-            all_deps = closure({n: [d for d in w if d in home] for n, (_, w) in deps.items()})
+            reached_by = closure({n: [d for d in deps if d in targets] for n, (_, _, deps) in targets.items()})
         except ValueError as error:
             self.complain(self.root / "CMakeLists.txt", str(error))
             return reach
-        for name, reached in all_deps.items():
-            reach.setdefault(home[name], set()).update(home[r] for r in reached)
+        for name, reached in reached_by.items():
+            reach.setdefault(targets[name][1], set()).update(targets[r][1] for r in reached)
         return reach
 
     def check_includes(self, path, text, allowed, libraries):

@@ -71,6 +71,16 @@ class CheckTree(unittest.TestCase):
         self.assertEqual(len(problems), 1, problems)
         self.assertIn("core/wire may not know core/drive", problems[0])
 
+    def test_what_a_program_links_counts_as_its_deps(self):
+        plan = PLAN + "| `app/cli` | program | drive |\n"
+        files = {"docs/architecture.md": plan, "app/cli/main.cpp": '#include "floor/tag.h"\n',
+                 "app/cli/CMakeLists.txt": "add_executable(cli main.cpp)\ntarget_link_libraries(cli PRIVATE tessera_drive)"}
+        self.assertEqual(self.problems(files=files), [])
+        files["app/cli/CMakeLists.txt"] = "add_executable(cli main.cpp)\ntarget_link_libraries(cli PRIVATE tessera_base)"
+        self.assertEqual(len(self.problems(files=files)), 1)
+        files["app/cli/CMakeLists.txt"] = "add_executable(cli main.cpp)\ntarget_link_libraries(cli PRIVATE tessera_wire)"
+        self.assertIn("app/cli may not know core/wire", "".join(self.problems(files=files)))
+
     def test_deps_in_a_circle_are_found(self):
         problems = self.problems(files={"core/base/CMakeLists.txt": "tessera_library(base SOURCES pose.cpp DEPS drive)"})
         self.assertTrue(any("a circle" in p for p in problems), problems)
