@@ -133,7 +133,7 @@ void VehicleAgent::take(const link::Disbelieved& e, Seconds now, EventLog& log) 
       if (forged_.seen(now) == Change::Begins)
         log.tell(Severity::Warning, EventKind::ForgedFrames, id(),
                  "A frame in the name of " + name_ +
-                     " does not bear its key and was dropped: forged, or changed on the way.");
+                     " does not bear its key and was dropped: forged, changed on the way, or of an earlier meeting.");
       return;
     case link::Disbelief::Replayed:
       if (replayed_.seen(now) == Change::Begins)

@@ -1,0 +1,73 @@
+#include "link/air_timing.h"
+
+#include <gtest/gtest.h>
+
+#include "wire/airtime.h"
+#include "wire/messages.h"
+
+namespace tessera::link {
+namespace {
+
+TEST(LoRaAirtime, givesTheDataSheetsFigures) {
+  EXPECT_NEAR(wire::loRaAirtime(12, 19200), 0.010, 0.0005);
+  EXPECT_NEAR(wire::loRaAirtime(58, 19200), 0.028, 0.0005);
+  EXPECT_NEAR(wire::loRaAirtime(12, 9600), 0.021, 0.0005);
+  EXPECT_NEAR(wire::loRaAirtime(58, 9600), 0.049, 0.0008);
+  EXPECT_NEAR(wire::loRaAirtime(12, 2400), 0.144, 0.001);
+  EXPECT_NEAR(wire::loRaAirtime(58, 2400), 0.308, 0.001);
+}
+
+// A round trip on a channel with a known factor.
+Seconds roundTrip(const AirTiming& t, double factor, std::size_t there, std::size_t back, double rate, int baud) {
+  (void)t;
+  const double byte = 10.0 / baud;
+  const double fixed = 2 * 0.005 + (2.0 * static_cast<double>(there + back) + 6.0) * byte;
+  return Seconds{fixed + factor * (wire::loRaAirtime(there, rate) + wire::loRaAirtime(back, rate))};
+}
+
+TEST(AirTiming, findsTheFactorOfTheChannel) {
+  for (const double factor : {1.0, 1.8, 3.2}) {
+    AirTiming timing{19200, 115200};
+    for (int i = 0; i < 20; ++i) timing.measured(22, 40, roundTrip(timing, factor, 22, 40, 19200, 115200));
+    EXPECT_NEAR(timing.factor(), factor, 0.01);
+    EXPECT_GE(timing.oneWayAtMost(58), timing.oneWay(58));
+  }
+}
+
+TEST(AirTiming, isReadyForTheSlowestModuleBeforeAnyMeasurement) {
+  const AirTiming timing{19200, 115200};
+  EXPECT_GE(timing.oneWayAtMost(58).value(), 3.2 * wire::loRaAirtime(58, 19200));
+}
+
+TEST(AirTiming, keepsTwoFullPacketsApart) {
+  AirTiming timing{19200, 115200};
+  for (int i = 0; i < 50; ++i) timing.measured(22, 40, roundTrip(timing, 1.8, 22, 40, 19200, 115200));
+  EXPECT_GT(timing.slotUnits() * wire::kSlotUnitMs, 1000 * 1.8 * wire::loRaAirtime(58, 19200));
+  EXPECT_LT(timing.slotUnits() * wire::kSlotUnitMs, 1000 * 2.5 * wire::loRaAirtime(58, 19200));
+}
+
+TEST(AirTiming, pollsOneVehicleAtATimeWhereASlotWouldNotFitItsField) {
+  EXPECT_EQ(AirTiming(300, 9600).maxEntries(), 1U);
+  EXPECT_EQ(AirTiming(19200, 115200).maxEntries(), wire::kMaxCycleEntries);
+}
+
+TEST(AirTiming, lengthensTheSlotsWhenAnswersStayAwayAndShortensThemAgain) {
+  AirTiming timing{19200, 115200};
+  for (int i = 0; i < 20; ++i) timing.measured(22, 40, roundTrip(timing, 1.2, 22, 40, 19200, 115200));
+  const unsigned before = timing.slotUnits();
+  for (int i = 0; i < 20; ++i) timing.missed();
+  EXPECT_GT(timing.slotUnits(), before);
+  for (int i = 0; i < 2000; ++i) timing.answered();
+  EXPECT_EQ(timing.slotUnits(), before);
+}
+
+TEST(AirTiming, survivesMeasurementsThatMakeNoSense) {
+  AirTiming timing{19200, 115200};
+  timing.measured(22, 40, Seconds{-5.0});
+  timing.measured(22, 40, Seconds{1e9});
+  EXPECT_GE(timing.factor(), 0.0);
+  EXPECT_LE(timing.slotUnits(), 255U);
+}
+
+}  // namespace
+}  // namespace tessera::link
