@@ -37,6 +37,7 @@ void Pilot::take(const wire::CycleEntry& entry, Micros now) {
     latched_ = 0;
     left_.forgive();
     right_.forgive();
+    if (!forbidden_) state_ = VehicleState::Standing;  // the answer to this very frame says so already
   }
 }
 

@@ -35,6 +35,7 @@ void WheelLoop::measure(std::int32_t counts) {
       static_cast<std::int32_t>(static_cast<std::uint32_t>(counts) - static_cast<std::uint32_t>(counts_));
   counts_ = counts;
   step_ = static_cast<float>(moved) * metresPerCount_;
+  speed_ += acceleration_ * kDt;  // what was ordered happens, more or less: without this the observer lags in ramps
   lead_ += step_ - speed_ * kDt;
   const float error = lead_;
   lead_ -= 2.0F * kPole * kDt * error;
@@ -66,8 +67,11 @@ void WheelLoop::watch() {
 
 std::int16_t WheelLoop::drive(float speed, float acceleration) {
   wanted_ = speed;
+  acceleration_ = acceleration;
+  if (speed == 0.0F) missing_ = 0.0F;  // a wheel that is to stand does not roll back
   const float friction = speed > 0.0F ? kFriction : speed < 0.0F ? -kFriction : 0.0F;
-  const float missing = std::clamp(missing_ + speed * kDt - step_, -kMaxMissing, kMaxMissing);
+  const float more = speed == 0.0F ? 0.0F : speed * kDt - step_;
+  const float missing = std::clamp(missing_ + more, -kMaxMissing, kMaxMissing);
   const float effort = speed + friction + kLag * acceleration + kProportional * (speed - speed_) + kIntegral * missing;
   const float duty = effort / kFullSpeed;
   // At the limit the missing way may shrink but not grow.
@@ -79,6 +83,7 @@ std::int16_t WheelLoop::drive(float speed, float acceleration) {
 std::int16_t WheelLoop::release() {
   missing_ = 0.0F;
   wanted_ = 0.0F;
+  acceleration_ = 0.0F;
   duty_ = 0;
   return duty_;
 }

@@ -44,6 +44,7 @@ private:
   float lead_ = 0.0F;     ///< way of the encoder ahead of the observer's
   float missing_ = 0.0F;  ///< way wanted but not made yet
   float wanted_ = 0.0F;
+  float acceleration_ = 0.0F;
   std::int16_t duty_ = 0;
   int stalledTicks_ = 0;
   int againstTicks_ = 0;

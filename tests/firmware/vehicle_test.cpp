@@ -1,0 +1,327 @@
+#include "firmware/vehicle/vehicle.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/firmware/vehicle_bench.h"
+
+namespace tessera::firmware::test {
+namespace {
+
+using wire::MessageType;
+using wire::Outcome;
+using wire::Parameter;
+using wire::VehicleState;
+
+double radians(double degrees) { return degrees * M_PI / 180.0; }
+
+TEST(Vehicle, introducesItselfWithinTwoTenthsOfASecond) {
+  VehicleBench bench;
+  ASSERT_TRUE(bench.open());
+  EXPECT_EQ(bench.host.identity->boot, 1U);
+  EXPECT_EQ(bench.host.identity->readers, 3);
+  EXPECT_EQ(bench.host.identity->rangers, kRangers);
+  EXPECT_EQ(bench.host.report->state, VehicleState::Standing);
+  EXPECT_EQ(bench.host.report->faults, 0);
+  EXPECT_EQ(bench.host.report->readers, 0b111);
+  EXPECT_EQ(bench.host.report->battery, 120);
+  EXPECT_EQ(bench.host.report->range, 255);
+}
+
+TEST(Vehicle, reachesSpeedAndBearingWithoutSwinging) {
+  for (const double target : {30.0, 90.0, 175.0, -120.0}) {
+    VehicleBench bench;
+    ASSERT_TRUE(bench.open());
+    double beyond = 0.0;
+    const double side = target < 0 ? -1.0 : 1.0;
+    bench.everyMs = [&] { beyond = std::max(beyond, side * (bench.plant.bearing - radians(target))); };
+    bench.drive(200, radians(target), 6000);
+    EXPECT_NEAR(bench.plant.bearing, radians(target), radians(1.0)) << target;
+    EXPECT_LT(beyond, radians(5.0)) << target;
+    EXPECT_NEAR(bench.plant.speed(), 0.2, 0.01) << target;
+    EXPECT_EQ(bench.state(), VehicleState::Driving);
+    EXPECT_NEAR(bench.host.report->speed, 200, 20);
+    const double reported = bench.host.report->bearing / 65536.0 * 2 * M_PI;
+    EXPECT_NEAR(std::remainder(reported - radians(target), 2 * M_PI), 0.0, radians(1.0));
+  }
+}
+
+TEST(Vehicle, keepsStraightWithUnequalMotorsAtEverySpeed) {
+  for (const auto speed : std::array<std::int16_t, 5>{50, 80, 120, 200, 400}) {
+    VehicleBench bench;
+    bench.plant.wheels[0].fullSpeed = 0.75;
+    bench.plant.wheels[1].fullSpeed = 0.85;
+    ASSERT_TRUE(bench.open());
+    bench.drive(speed, 0.0, 3000);
+    const double start = bench.plant.y;
+    double worst = 0.0;
+    bench.everyMs = [&] { worst = std::max(worst, std::fabs(bench.plant.bearing)); };
+    bench.drive(speed, 0.0, 3000);
+    EXPECT_NEAR((bench.plant.y - start) / 3.0, speed / 1000.0, 0.004) << speed;
+    EXPECT_LT(worst, radians(2.0)) << speed;
+  }
+}
+
+TEST(Vehicle, drivesBackwardsWithTheNoseOnTheBearing) {
+  VehicleBench bench;
+  ASSERT_TRUE(bench.open());
+  bench.drive(-150, 0.0, 3000);
+  EXPECT_LT(bench.plant.y, -0.3);
+  EXPECT_NEAR(bench.plant.bearing, 0.0, radians(1.5));
+  EXPECT_LT(bench.host.report->travel | 0xFFFF0000U, 0xFFFFFFFFU);
+}
+
+TEST(Vehicle, turnsOnTheSpotAndThenStands) {
+  VehicleBench bench;
+  ASSERT_TRUE(bench.open());
+  bench.drive(0, radians(90), 500);
+  EXPECT_EQ(bench.state(), VehicleState::Turning);
+  bench.drive(0, radians(90), 3000);
+  EXPECT_EQ(bench.state(), VehicleState::Standing);
+  EXPECT_NEAR(bench.plant.bearing, radians(90), radians(2));
+  EXPECT_LT(std::hypot(bench.plant.x, bench.plant.y), 0.01);
+  EXPECT_TRUE(bench.plant.standing());
+}
+
+TEST(Vehicle, stopsByItselfWhenCommandsStopComing) {
+  VehicleBench bench;
+  ASSERT_TRUE(bench.open());
+  bench.drive(300, 0.0, 3000);
+  ASSERT_GT(bench.plant.speed(), 0.25);
+  bench.run(400 + 100 + 400);  // the rest of the expiry, some lag, and braking at 1.5 m/s²
+  EXPECT_TRUE(bench.plant.standing());
+  EXPECT_EQ(bench.state(), VehicleState::Expired);
+  const double y = bench.plant.y;
+  bench.run(2000);
+  EXPECT_NEAR(bench.plant.y, y, 0.005);
+  EXPECT_EQ(bench.board.duty[0], 0);
+  EXPECT_EQ(bench.board.duty[1], 0);
+  bench.drive(300, 0.0, 2000);
+  EXPECT_GT(bench.plant.speed(), 0.25);
+}
+
+TEST(Vehicle, stopsBeforeAnObstacleAndGoesOnWhenItIsGone) {
+  VehicleBench bench;
+  ASSERT_TRUE(bench.open());
+  const double wall = 2.0;
+  bool there = true;
+  bench.everyMs = [&] {
+    bench.board.echoes[0] = there ? static_cast<std::uint32_t>((wall - bench.plant.y - 0.15) * 5800) : 0;
+  };
+  bench.drive(400, 0.0, 8000);
+  EXPECT_EQ(bench.state(), VehicleState::Obstacle);
+  EXPECT_TRUE(bench.plant.standing());
+  EXPECT_LT(bench.plant.y + 0.15, wall - 0.10);
+  EXPECT_GT(bench.plant.y, 1.2);
+  EXPECT_LT(bench.host.report->range, 31);
+  there = false;
+  bench.drive(400, 0.0, 3500);
+  EXPECT_GT(bench.plant.y, wall);
+  EXPECT_EQ(bench.state(), VehicleState::Driving);
+}
+
+TEST(Vehicle, backsAwayFromAnObstacle) {
+  VehicleBench bench;
+  ASSERT_TRUE(bench.open());
+  bench.board.echoes = {1000, 1000};
+  bench.drive(200, 0.0, 1500);
+  EXPECT_EQ(bench.state(), VehicleState::Obstacle);
+  bench.drive(-200, 0.0, 2000);
+  EXPECT_LT(bench.plant.y, -0.2);
+}
+
+TEST(Vehicle, refusesReplayedAndForgedCommandsAndSaysSo) {
+  VehicleBench bench;
+  ASSERT_TRUE(bench.open());
+  const auto drive = bench.host.drive(300, 0, 50);
+  bench.say(drive);
+  bench.say(bench.host.stop());
+  bench.run(500);
+  for (int i = 0; i < 20; ++i) {
+    bench.send(drive);
+    bench.run(50);
+  }
+  EXPECT_TRUE(bench.plant.standing());
+  EXPECT_EQ(bench.state(), VehicleState::Standing);
+  EXPECT_NE(bench.host.report->faults & (wire::kFaultReplayed | wire::kFaultForged), 0);
+  bench.state();
+  EXPECT_EQ(bench.host.report->faults, 0) << "reported once";
+  TestHost stranger{VehicleBench::kAddress, wire::Key{}};
+  bench.say(stranger.drive(300, 0, 50));
+  bench.run(500);
+  EXPECT_TRUE(bench.plant.standing());
+  EXPECT_EQ(bench.state(), VehicleState::Standing);
+  EXPECT_EQ(bench.host.report->faults, wire::kFaultForged);
+  EXPECT_EQ(bench.ask(MessageType::Get, static_cast<std::uint8_t>(Parameter::FramesRefused)).value, 21);
+}
+
+TEST(Vehicle, latchesAStallUntilItIsCleared) {
+  VehicleBench bench;
+  ASSERT_TRUE(bench.open());
+  bench.drive(200, 0.0, 1000);
+  bench.plant.wheels[0].blocked = true;
+  bench.drive(200, 0.0, 3000);
+  EXPECT_EQ(bench.state(), VehicleState::Faulted);
+  EXPECT_EQ(bench.host.report->faults & wire::kFaultMotorStall, wire::kFaultMotorStall);
+  EXPECT_EQ(bench.board.duty[1], 0);
+  bench.plant.wheels[0].blocked = false;
+  bench.drive(200, 0.0, 500);
+  EXPECT_EQ(bench.state(), VehicleState::Faulted);
+  bench.say(bench.host.clear());
+  EXPECT_EQ(bench.state(), VehicleState::Standing);
+  bench.drive(200, 0.0, 4000);
+  EXPECT_NEAR(bench.plant.speed(), 0.2, 0.02);
+}
+
+TEST(Vehicle, latchesAWatchdogStart) {
+  VehicleBench bench;
+  bench.board.cause = wire::ResetCause::Watchdog;
+  bench.switchOn();
+  ASSERT_TRUE(bench.open());
+  EXPECT_EQ(bench.host.report->state, VehicleState::Faulted);
+  EXPECT_EQ(bench.host.report->faults, wire::kFaultWatchdog);
+  bench.say(bench.host.clear());
+  EXPECT_EQ(bench.state(), VehicleState::Standing);
+  EXPECT_EQ(bench.host.report->faults, 0);
+}
+
+TEST(Vehicle, feedsTheWatchdogOnlyWhileBothLoopsRun) {
+  VehicleBench bench;
+  bench.run(1000);
+  EXPECT_NEAR(bench.board.fed, 100, 1);
+  bench.board.fed = 0;
+  for (int i = 0; i < 100; ++i) bench.vehicle->tick();
+  EXPECT_LE(bench.board.fed, 1);
+  bench.board.fed = 0;
+  for (int i = 0; i < 100; ++i) bench.vehicle->poll();
+  EXPECT_EQ(bench.board.fed, 0);
+}
+
+TEST(Vehicle, standsAndSaysWhyWhenItsSettingsAreUnreadable) {
+  VehicleBench bench;
+  bench.board.memory.cells.fill(0xFF);
+  bench.switchOn();
+  bench.host = TestHost{kUncommissionedAddress, wire::Key{}};
+  ASSERT_TRUE(bench.open());
+  EXPECT_EQ(bench.host.report->faults & wire::kFaultEeprom, wire::kFaultEeprom);
+  bench.drive(200, 0.0, 1000);
+  EXPECT_TRUE(bench.plant.standing());
+  EXPECT_EQ(bench.state(), VehicleState::Faulted);
+}
+
+TEST(Vehicle, keepsWhatWasSetOverARestart) {
+  VehicleBench bench;
+  ASSERT_TRUE(bench.open());
+  const auto maxSpeed = static_cast<std::uint8_t>(Parameter::MaxSpeed);
+  EXPECT_EQ(bench.ask(MessageType::Get, maxSpeed).value, 500);
+  const auto set = bench.ask(MessageType::Set, maxSpeed, 100);
+  EXPECT_EQ(set.outcome, Outcome::Done);
+  EXPECT_EQ(set.value, 100);
+  EXPECT_EQ(bench.ask(MessageType::Set, maxSpeed, 100'000).outcome, Outcome::OutOfRange);
+  EXPECT_EQ(bench.ask(MessageType::Get, 99).outcome, Outcome::Unknown);
+  bench.drive(400, 0.0, 3000);
+  EXPECT_NEAR(bench.plant.speed(), 0.1, 0.01) << "in force at once";
+  EXPECT_EQ(bench.ask(MessageType::Do, static_cast<std::uint8_t>(wire::Action::Restart)).outcome, Outcome::Done);
+  bench.run(400);
+  EXPECT_EQ(bench.board.restarts, 1);
+  bench.switchOn();
+  ASSERT_TRUE(bench.open(2));
+  EXPECT_EQ(bench.host.identity->boot, 2U);
+  EXPECT_EQ(bench.ask(MessageType::Get, maxSpeed).value, 100);
+}
+
+TEST(Vehicle, hailsAfterARestartAndTakesNoCommandOfTheOldSession) {
+  VehicleBench bench;
+  ASSERT_TRUE(bench.open());
+  bench.switchOn();
+  bench.run(200);
+  bench.host.hail.reset();
+  bench.drive(200, 0.0, 500);
+  ASSERT_TRUE(bench.host.hail);
+  EXPECT_EQ(bench.host.hail->boot, 2U);
+  EXPECT_TRUE(bench.plant.standing());
+}
+
+TEST(Vehicle, reportsTagsUntilTheHostHasThem) {
+  VehicleBench bench;
+  ASSERT_TRUE(bench.open());
+  bench.bus.nodes[1] = {7, {1, 2, 3, 4, 5, 6, 7}};
+  bench.run(50);
+  bench.say(bench.host.poll());
+  ASSERT_EQ(bench.host.report->eventCount, 1);
+  EXPECT_EQ(bench.host.report->events[0].reader, 1);
+  EXPECT_LE(bench.host.report->events[0].age, 6);
+  bench.host.nextEvent = static_cast<std::uint8_t>(bench.host.report->firstEvent + 1);
+  bench.say(bench.host.poll());
+  EXPECT_EQ(bench.host.report->eventCount, 0);
+}
+
+TEST(Vehicle, warnsOfALowBatteryAndAMissingReader) {
+  VehicleBench bench;
+  bench.bus.setMillivolts(10'000);
+  bench.bus.nodes.erase(2);
+  ASSERT_TRUE(bench.open());
+  EXPECT_EQ(bench.host.report->faults, wire::kFaultBattery | wire::kFaultReader);
+  EXPECT_EQ(bench.host.report->readers, 0b011);
+  bench.drive(200, 0.0, 2000);
+  EXPECT_GT(bench.plant.speed(), 0.15) << "neither stops it";
+}
+
+TEST(Vehicle, keepsItsHeadingFromTheWheelsWhenTheCompassFails) {
+  VehicleBench bench;
+  ASSERT_TRUE(bench.open());
+  bench.drive(200, 0.0, 2000);
+  bench.board.compass.present = false;
+  bench.drive(200, radians(60), 4000);
+  EXPECT_NEAR(bench.plant.bearing, radians(60), radians(3));
+  EXPECT_EQ(bench.host.report->faults, wire::kFaultCompass);
+}
+
+TEST(Vehicle, calibratesItsCompassWhenAsked) {
+  VehicleBench bench;
+  ASSERT_TRUE(bench.open());
+  // The plant's field, bent as by an iron chassis.
+  bench.everyMs = [&] {
+    const auto f = bench.board.compass.field;
+    bench.board.compass.field = {1.3 * f[0] + 0.2 * f[1] + 60.0, 0.2 * f[0] + 0.8 * f[1] + 45.0, 40.0};
+  };
+  bench.run(500);
+  EXPECT_EQ(bench.state(), VehicleState::Standing);
+  EXPECT_EQ(bench.host.report->faults, wire::kFaultCompassRange);
+  EXPECT_EQ(bench.ask(MessageType::Do, static_cast<std::uint8_t>(wire::Action::CalibrateCompass)).outcome,
+            Outcome::Started);
+  bench.run(500);
+  EXPECT_EQ(bench.state(), VehicleState::Calibrating);
+  EXPECT_EQ(bench.ask(MessageType::Do, static_cast<std::uint8_t>(wire::Action::CalibrateCompass)).outcome,
+            Outcome::Busy);
+  for (int i = 0; i < 60 && bench.state() == VehicleState::Calibrating; ++i) bench.run(500);
+  EXPECT_EQ(bench.ask(MessageType::Get, static_cast<std::uint8_t>(Parameter::CalibrationOutcome)).value,
+            static_cast<int>(Outcome::Done));
+  bench.run(1500);
+  for (const double bearing : {0.0, 100.0, -130.0}) {
+    bench.drive(0, radians(bearing), 4000);
+    EXPECT_NEAR(std::remainder(bench.plant.bearing - radians(bearing), 2 * M_PI), 0.0, radians(2.0)) << bearing;
+  }
+  EXPECT_EQ(bench.host.report->faults, 0);
+  const auto kept = settingsFromImage(bench.board.memory.cells);
+  ASSERT_TRUE(kept);
+  EXPECT_NEAR(kept->get(Parameter::CompassOffsetX), 60'000, 500);
+}
+
+TEST(Vehicle, endsACalibrationWhenTheHostFallsSilentOrSaysStop) {
+  for (const bool stop : {true, false}) {
+    VehicleBench bench;
+    ASSERT_TRUE(bench.open());
+    bench.ask(MessageType::Do, static_cast<std::uint8_t>(wire::Action::CalibrateCompass));
+    bench.run(1000);
+    EXPECT_FALSE(bench.plant.standing());
+    if (stop) bench.say(bench.host.stop());
+    bench.run(stop ? 1000 : 2500);
+    EXPECT_TRUE(bench.plant.standing());
+    EXPECT_EQ(bench.state(), VehicleState::Standing);
+    EXPECT_EQ(bench.ask(MessageType::Get, static_cast<std::uint8_t>(Parameter::CalibrationOutcome)).value,
+              static_cast<int>(Outcome::Failed));
+  }
+}
+
+}  // namespace
+}  // namespace tessera::firmware::test
