@@ -29,6 +29,7 @@ Result<VehicleAgent> VehicleAgent::create(std::shared_ptr<const floor::SiteMap> 
   auto made = locate::makeLocator(locator.empty() ? locate::locatorNames().front() : locator, map, setup);
   if (!made) return tl::unexpected{made.error()};
   agent.locator_ = std::move(*made);
+  agent.estimate_ = agent.locator_->at(agent.locator_->lastMotion());
   const auto known = drive::followerNames();
   agent.controller_ = controller.empty() ? std::string{known.front()} : controller;
   if (std::find(known.begin(), known.end(), agent.controller_) == known.end())
@@ -157,7 +158,8 @@ std::string VehicleAgent::waitReason(Seconds now, const PortView& port) const {
   if (task_ == Task::Paused) return name_ + " waits: it was told to pause.";
   if (task_ != Task::Running) return {};
   if (port.state != PortState::Open)
-    return name_ + " waits: " + (port.name.empty() ? "the port" : port.name) + " is not open.";
+    return name_ + " waits: " + (port.name.empty() ? "the radio's port" : "the port " + port.name) +
+           (port.state == PortState::Lost ? " is lost." : " is not open.");
   switch (contact_) {
     case Contact::Calling:
       return name_ + " waits: it has not answered our call yet.";

@@ -42,6 +42,7 @@ public:
     std::copy(uid.begin(), uid.end(), e.uid.begin());
     events_.push_back({e, at});
   }
+  void note(const wire::TagEvent& event, Seconds at) { events_.push_back({event, at}); }
   void left(std::uint8_t reader, Seconds at) {
     events_.push_back({wire::TagEvent{reader, wire::EventKind::Left, 0, {}}, at});
   }
@@ -69,6 +70,7 @@ public:
   Seconds sluggishness{0.001};  ///< before it answers; counted into the hold
   wire::Report report;          ///< what it tells, but for ack, clock, hold and events
   std::function<void(const wire::CycleEntry&, Seconds)> onCommand;
+  std::function<void(Seconds)> beforeReport;  ///< may bring `report` up to this instant
   // What it saw.
   std::vector<wire::CycleEntry> commands;
   std::uint32_t forged = 0;
@@ -140,8 +142,9 @@ private:
   }
 
   Answer makeReport(Seconds now, Seconds delay) {
-    wire::Report r = report;
     const Seconds made = now + delay;
+    if (beforeReport) beforeReport(made);
+    wire::Report r = report;
     r.ack = static_cast<std::uint16_t>(session_->guard.last());
     r.hold = static_cast<std::uint16_t>(std::lround(delay.value() * 1000));
     r.clock = static_cast<std::uint16_t>(std::llround(made.value() * 1000));
