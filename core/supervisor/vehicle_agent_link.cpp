@@ -43,6 +43,7 @@ void VehicleAgent::take(const link::Identified& e, EventLog& log) {
   firmware_ = std::to_string(who.firmwareMajor) + "." + std::to_string(who.firmwareMinor) + "." +
               std::to_string(who.firmwarePatch) + " on " + hardwareText(who.hardware);
   const bool known = contact_ == Contact::Silent || restart_.active();
+  sent_.reset();  // nothing is known to be in force in a new session
   if (e.restarted) {
     // Its odometer and its commands are gone; its place is what it was.
     odometer_.restart();
@@ -117,6 +118,8 @@ void VehicleAgent::take(const link::CommandSent& e) {
     history_.drive(decision_->command, e.effectiveAt, expiry);
   } else {
     history_.stand(e.effectiveAt);
+    // A Stop is repeated for as long as it holds; once taken it stays taken.
+    if (sent_ && sent_->view.mode == e.entry.mode) sent.view.status = sent_->view.status;
   }
   sent_ = sent;
 }
