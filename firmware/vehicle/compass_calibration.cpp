@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kRate = 0.8F;           // rad/s: some 1 degree a sample
 constexpr float kSweep = kTurn * 1.1F;  // radians each way
-constexpr Micros kPatience = 60s;
+constexpr Micros kLongestTurning = 60s;
 constexpr std::size_t kFewestBins = 58;  // of 64: gaps of at most a few samples
 constexpr float kWorstMisfit = 0.05F;    // of the radius; 3 degrees
 constexpr float kWorstAxisRatio = 4.0F;
@@ -36,7 +36,7 @@ CompassCalibration::Status CompassCalibration::tick(float turned, std::optional<
   if (status_ != Status::Turning) return status_;
   angle_ += turned;
   if (field) add(*field);
-  if (now - started_ > kPatience) {
+  if (now - started_ > kLongestTurning) {
     status_ = Status::Failed;
   } else if (!back_) {
     back_ = angle_ >= kSweep;

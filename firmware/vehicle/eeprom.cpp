@@ -8,7 +8,7 @@ namespace tessera::firmware {
 namespace {
 
 constexpr Micros kAckPollPeriod = 500us;
-constexpr Micros kPatience = 25ms;  // five write cycles
+constexpr Micros kCyclePatience = 25ms;  // five write cycles
 
 static_assert(kRecordSize <= Eeprom::kMaxWrite);
 
@@ -37,13 +37,13 @@ void Eeprom::poll(Micros now) {
   if (!busy()) return;
   if (!timing_) {
     nextTry_ = now;
-    giveUp_ = now + kPatience;
+    giveUp_ = now + kCyclePatience;
     timing_ = true;
   }
   if (now < nextTry_) return;
   nextTry_ = now + kAckPollPeriod;
   if (writePage()) {
-    giveUp_ = now + kPatience;
+    giveUp_ = now + kCyclePatience;
   } else if (now >= giveUp_) {
     failed_ = true;
     state_ = State::Idle;

@@ -9,8 +9,8 @@ namespace {
 
 using wire::MessageType;
 
-constexpr Micros kPatience = 100ms;     // for answers outside the slots
-constexpr Micros kLeastPatience = 5ms;  // for answers in a slot
+constexpr Micros kFreePatience = 100ms;     // for answers outside the slots
+constexpr Micros kLeastSlotPatience = 5ms;  // for answers in a slot
 
 // Far from the wrap: a hold of more than a minute says no more than a minute does.
 std::uint16_t milliseconds(Micros t) {
@@ -58,7 +58,7 @@ void Session::receiveHello(const wire::Frame& frame, Micros now) {
     fresh.guard = wire::ReplayGuard{hello->hostCounter};
     pending_ = fresh;
   }
-  owe(Owed::Identity, now, kPatience);
+  owe(Owed::Identity, now, kFreePatience);
 }
 
 Heard Session::receiveCycle(const wire::Frame& frame, Micros now) {
@@ -66,7 +66,7 @@ Heard Session::receiveCycle(const wire::Frame& frame, Micros now) {
   if (!part || frame.header.to != wire::kEveryone) return {};
   const Micros slot = std::chrono::milliseconds{part->slot * wire::kSlotUnitMs};
   const Micros when = now + part->index * slot;
-  const Micros patience = slot.count() == 0 ? kPatience : std::max(kLeastPatience, Micros{slot / 2});
+  const Micros patience = slot.count() == 0 ? kFreePatience : std::max(kLeastSlotPatience, Micros{slot / 2});
   Heard heard;
   if (authentic(frame.header, part->authenticated, part->mac, heard)) {
     ack_ = frame.header.counter;
@@ -91,7 +91,7 @@ Heard Session::receiveRequest(const wire::Frame& frame, Micros now) {
   heard.kind = Heard::Kind::Request;
   heard.request = *request;
   value_ = {ack_, request->parameter, wire::Outcome::Unknown, 0};
-  owe(Owed::Value, now, kPatience);
+  owe(Owed::Value, now, kFreePatience);
   return heard;
 }
 

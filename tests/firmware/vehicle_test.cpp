@@ -12,7 +12,7 @@ using wire::Outcome;
 using wire::Parameter;
 using wire::VehicleState;
 
-double radians(double degrees) { return degrees * M_PI / 180.0; }
+double fromDegrees(double degrees) { return degrees * M_PI / 180.0; }
 
 TEST(Vehicle, introducesItselfWithinTwoTenthsOfASecond) {
   VehicleBench bench;
@@ -33,15 +33,15 @@ TEST(Vehicle, reachesSpeedAndBearingWithoutSwinging) {
     ASSERT_TRUE(bench.open());
     double beyond = 0.0;
     const double side = target < 0 ? -1.0 : 1.0;
-    bench.everyMs = [&] { beyond = std::max(beyond, side * (bench.plant.bearing - radians(target))); };
-    bench.drive(200, radians(target), 6000);
-    EXPECT_NEAR(bench.plant.bearing, radians(target), radians(1.0)) << target;
-    EXPECT_LT(beyond, radians(5.0)) << target;
+    bench.everyMs = [&] { beyond = std::max(beyond, side * (bench.plant.bearing - fromDegrees(target))); };
+    bench.drive(200, fromDegrees(target), 6000);
+    EXPECT_NEAR(bench.plant.bearing, fromDegrees(target), fromDegrees(1.0)) << target;
+    EXPECT_LT(beyond, fromDegrees(5.0)) << target;
     EXPECT_NEAR(bench.plant.speed(), 0.2, 0.01) << target;
     EXPECT_EQ(bench.state(), VehicleState::Driving);
     EXPECT_NEAR(bench.host.report->speed, 200, 20);
     const double reported = bench.host.report->bearing / 65536.0 * 2 * M_PI;
-    EXPECT_NEAR(std::remainder(reported - radians(target), 2 * M_PI), 0.0, radians(1.0));
+    EXPECT_NEAR(std::remainder(reported - fromDegrees(target), 2 * M_PI), 0.0, fromDegrees(1.0));
   }
 }
 
@@ -57,7 +57,7 @@ TEST(Vehicle, keepsStraightWithUnequalMotorsAtEverySpeed) {
     bench.everyMs = [&] { worst = std::max(worst, std::fabs(bench.plant.bearing)); };
     bench.drive(speed, 0.0, 3000);
     EXPECT_NEAR((bench.plant.y - start) / 3.0, speed / 1000.0, 0.004) << speed;
-    EXPECT_LT(worst, radians(2.0)) << speed;
+    EXPECT_LT(worst, fromDegrees(2.0)) << speed;
   }
 }
 
@@ -66,18 +66,18 @@ TEST(Vehicle, drivesBackwardsWithTheNoseOnTheBearing) {
   ASSERT_TRUE(bench.open());
   bench.drive(-150, 0.0, 3000);
   EXPECT_LT(bench.plant.y, -0.3);
-  EXPECT_NEAR(bench.plant.bearing, 0.0, radians(1.5));
+  EXPECT_NEAR(bench.plant.bearing, 0.0, fromDegrees(1.5));
   EXPECT_LT(bench.host.report->travel | 0xFFFF0000U, 0xFFFFFFFFU);
 }
 
 TEST(Vehicle, turnsOnTheSpotAndThenStands) {
   VehicleBench bench;
   ASSERT_TRUE(bench.open());
-  bench.drive(0, radians(90), 500);
+  bench.drive(0, fromDegrees(90), 500);
   EXPECT_EQ(bench.state(), VehicleState::Turning);
-  bench.drive(0, radians(90), 3000);
+  bench.drive(0, fromDegrees(90), 3000);
   EXPECT_EQ(bench.state(), VehicleState::Standing);
-  EXPECT_NEAR(bench.plant.bearing, radians(90), radians(2));
+  EXPECT_NEAR(bench.plant.bearing, fromDegrees(90), fromDegrees(2));
   EXPECT_LT(std::hypot(bench.plant.x, bench.plant.y), 0.01);
   EXPECT_TRUE(bench.plant.standing());
 }
@@ -271,8 +271,8 @@ TEST(Vehicle, keepsItsHeadingFromTheWheelsWhenTheCompassFails) {
   ASSERT_TRUE(bench.open());
   bench.drive(200, 0.0, 2000);
   bench.board.compass.present = false;
-  bench.drive(200, radians(60), 4000);
-  EXPECT_NEAR(bench.plant.bearing, radians(60), radians(3));
+  bench.drive(200, fromDegrees(60), 4000);
+  EXPECT_NEAR(bench.plant.bearing, fromDegrees(60), fromDegrees(3));
   EXPECT_EQ(bench.host.report->faults, wire::kFaultCompass);
 }
 
@@ -298,8 +298,8 @@ TEST(Vehicle, calibratesItsCompassWhenAsked) {
             static_cast<int>(Outcome::Done));
   bench.run(1500);
   for (const double bearing : {0.0, 100.0, -130.0}) {
-    bench.drive(0, radians(bearing), 4000);
-    EXPECT_NEAR(std::remainder(bench.plant.bearing - radians(bearing), 2 * M_PI), 0.0, radians(2.0)) << bearing;
+    bench.drive(0, fromDegrees(bearing), 4000);
+    EXPECT_NEAR(std::remainder(bench.plant.bearing - fromDegrees(bearing), 2 * M_PI), 0.0, fromDegrees(2.0)) << bearing;
   }
   EXPECT_EQ(bench.host.report->faults, 0);
   const auto kept = settingsFromImage(bench.board.memory.cells);
