@@ -121,6 +121,8 @@ class Tree:
         targets = {}
         for path in (f for f in self.files if f.name == "CMakeLists.txt"):
             text = re.sub(r"#.*", "", path.read_text())
+            if "project(" in text and path.parent != self.root:  # a build of its own: its includes follow the plan alone
+                continue
             for call in LIBRARY.findall(text):
                 name, *words = call.split()
                 parts, key = {"SOURCES": [], "DEPS": [], "LIBS": []}, None
