@@ -2,7 +2,9 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <sstream>
@@ -27,10 +29,11 @@ template <class Condition>
 
 class EmulatedBoard : public ::testing::Test {
 protected:
-  EmulatedBoard()
+  explicit EmulatedBoard(const char* program = EXERCISER_ELF)
       : directory_{std::filesystem::temp_directory_path() /
                    ("tessera-qemu-" + std::to_string(::getpid()) + "-" +
                     ::testing::UnitTest::GetInstance()->current_test_info()->name())},
+        program_{program},
         host_{makeConfig()} {}
   ~EmulatedBoard() override {
     host_.kill();
@@ -89,12 +92,13 @@ protected:
   QemuConfig makeConfig() const {
     std::filesystem::create_directories(directory_);
     QemuConfig config;
-    config.program = EXERCISER_ELF;
+    config.program = program_;
     config.eeprom = directory_ / "eeprom.bin";
     return config;
   }
 
   std::filesystem::path directory_;
+  std::string program_;
   QemuHost host_;
   std::string heard_;
   std::vector<std::uint8_t> onReaders_;

@@ -1,4 +1,8 @@
 // Start, end, reset and loss of the emulated vehicle.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
 #include <csignal>
 #include <fstream>
 
@@ -115,6 +119,32 @@ TEST_F(QemuLife, noEmulatorStaysBehind) {
   EXPECT_EQ(host_.take().toRadio.size(), 0U);
 }
 
+TEST_F(QemuLife, theEmulatorDiesWithTheProcessThatStartedIt) {
+  std::array<int, 2> pipe{};
+  ASSERT_EQ(::pipe(pipe.data()), 0);
+  const pid_t owner = ::fork();
+  if (owner == 0) {
+    const bool started = host_.start(Seconds{}).has_value();
+    const int emulator = started ? host_.processId() : 0;
+    static_cast<void>(!::write(pipe[1], &emulator, sizeof emulator));
+    for (;;) ::pause();
+  }
+  int emulator = 0;
+  ASSERT_EQ(::read(pipe[0], &emulator, sizeof emulator), static_cast<ssize_t>(sizeof emulator));
+  ASSERT_GT(emulator, 0);
+  ::close(pipe[0]);
+  ::close(pipe[1]);
+  EXPECT_EQ(::kill(emulator, 0), 0);
+  ::kill(owner, SIGKILL);
+  ::waitpid(owner, nullptr, 0);
+  // Where nobody collects orphans, the dead one stays in the list as a zombie (state Z).
+  EXPECT_TRUE(eventually([&] {
+    std::ifstream status{"/proc/" + std::to_string(emulator) + "/stat"};
+    std::string id, name, state;
+    return !(status >> id >> name >> state) || state == "Z";
+  }));
+}
+
 TEST_F(QemuLife, whatCannotStartSaysWhy) {
   const auto failsWith = [](const QemuConfig& config, const std::string& part) {
     QemuHost host{config};
@@ -132,10 +162,9 @@ TEST_F(QemuLife, whatCannotStartSaysWhy) {
   config = makeConfig();
   std::ofstream{config.eeprom} << "short";
   failsWith(config, "5 bytes");
-  std::filesystem::remove(config.eeprom);
-  config.program = config.eeprom = directory_ / "no.elf";
-  std::ofstream{config.program} << std::string(4096, 'x');
-  failsWith(config, "emulator");
+  config = makeConfig();
+  config.program = config.eeprom;
+  failsWith(config, "no ELF");
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "sim/qemu/qemu_host.h"
 
-#include <filesystem>
+#include <array>
+#include <fstream>
+#include <string_view>
 
 #include "sim/qemu/qemu_session.h"
 
@@ -12,8 +14,14 @@ QemuHost::~QemuHost() = default;
 Result<void> QemuHost::start(Seconds) {
   if (running()) return {};
   session_.reset();
-  if (!std::filesystem::exists(config_.program))
-    return failure("The firmware '" + config_.program + "' does not exist; './dev build' makes it.");
+  std::ifstream program{config_.program, std::ios::binary};
+  if (!program) return failure("The firmware '" + config_.program + "' cannot be read; './dev build' makes it.");
+  std::array<char, 4> magic{};
+  program.read(magic.data(), magic.size());
+  if (std::string_view{magic.data(), magic.size()} !=
+      "\x7F"
+      "ELF")
+    return failure("The firmware '" + config_.program + "' is no ELF program.");
   session_ = std::make_unique<Session>(config_, signals_);
   return session_->ready();
 }

@@ -1,0 +1,143 @@
+// The vehicle's own program in the emulated microcontroller: it starts, sets up its radio, tells who it is, drives and
+// stops by itself.
+#include <algorithm>
+#include <fstream>
+#include <optional>
+
+#include "emulated_board.h"
+#include "firmware/vehicle/radio.h"
+#include "firmware/vehicle/settings.h"
+#include "wire/messages.h"
+#include "wire/security.h"
+
+namespace tessera::sim {
+namespace {
+
+constexpr std::uint8_t kAddress = 7;
+constexpr wire::Key kKey = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
+
+class QemuVehicle : public EmulatedBoard {
+protected:
+  QemuVehicle() : EmulatedBoard{VEHICLE_ELF} {
+    settings_.key = kKey;
+    settings_.set(wire::Parameter::Address, kAddress);
+    const auto image = firmware::makeEepromImage(settings_);
+    std::ofstream file{directory_ / "eeprom.bin", std::ios::binary};
+    file.write(reinterpret_cast<const char*>(image.data()), static_cast<std::streamsize>(image.size()));
+    Signals signals;
+    signals.field = {80.0, 60.0, 40.0};
+    host_.setSignals(signals);
+  }
+
+  /// Switches the vehicle on and is its radio module while it asks for the module's parameters.
+  void startVehicle() {
+    const auto started = host_.start(Seconds{});
+    ASSERT_TRUE(started) << started.error().sentence;
+    heard_.clear();
+    ASSERT_TRUE(eventually([&] {
+      collect();
+      return mode_ == firmware::RadioMode::Configure && heard_.ends_with("\xC1\xC1\xC1");
+    })) << "the vehicle does not ask its radio module";
+    heard_.clear();
+    host_.fromRadio(firmware::radioRegisters(settings_));
+    ASSERT_TRUE(eventually([&] {
+      collect();
+      return mode_ == firmware::RadioMode::Normal;
+    }));
+  }
+
+  /// Sends `frame` until a frame of `type` answers; its payload, empty when none came.
+  std::vector<std::uint8_t> exchange(std::span<const std::uint8_t> frame, wire::MessageType type) {
+    std::vector<std::uint8_t> payload;
+    int asked = 0;
+    EXPECT_TRUE(eventually([&] {
+      if (asked++ % 200 == 0) host_.fromRadio(frame);
+      for (std::uint8_t byte : host_.take().toRadio) {
+        decoder_.feed(wire::Bytes{&byte, 1}, [&](const wire::Frame& answer) {
+          if (answer.header.type == static_cast<std::uint8_t>(type) && answer.header.from == kAddress)
+            payload.assign(answer.payload.begin(), answer.payload.end());
+        });
+      }
+      return !payload.empty();
+    })) << "no answer of type "
+        << static_cast<int>(type);
+    return payload;
+  }
+
+  /// Opens a session; the vehicle's Identity.
+  wire::Identity meet(std::uint32_t nonce) {
+    std::array<std::uint8_t, wire::kMaxPayload> body{};
+    std::array<std::uint8_t, wire::kMaxFrame> frame{};
+    const std::size_t n = wire::encode(wire::Hello{nonce, 0}, body);
+    const wire::FrameHeader header{kAddress, wire::kHostAddress, static_cast<std::uint8_t>(wire::MessageType::Hello),
+                                   0};
+    const std::size_t size = wire::sealFrame(kKey, 0, header, std::span{body}.first(n), frame);
+    const auto payload = exchange(std::span{frame}.first(size), wire::MessageType::Identity);
+    const auto sealed = wire::splitMac(payload);
+    const auto identity = sealed ? wire::decodeIdentity(sealed->body) : std::nullopt;
+    EXPECT_TRUE(identity);
+    if (!identity) return {};
+    session_ = wire::deriveSessionKey(kKey, {nonce, identity->boot, identity->hello});
+    return *identity;
+  }
+
+  wire::Report command(wire::CommandMode mode, std::int16_t speed = 0, std::uint16_t bearing = 0) {
+    wire::CycleWriter cycle{1, ++counter_};
+    wire::CycleEntry entry;
+    entry.vehicle = kAddress;
+    entry.mode = mode;
+    entry.speed = speed;
+    entry.bearing = bearing;
+    entry.expiry = 25;  // 500 ms
+    cycle.add(entry, session_);
+    std::array<std::uint8_t, wire::kMaxFrame> frame{};
+    const std::size_t size = cycle.finish(frame);
+    const auto payload = exchange(std::span{frame}.first(size), wire::MessageType::Report);
+    const auto sealed = wire::splitMac(payload);
+    const auto report = sealed ? wire::decodeReport(sealed->body) : std::nullopt;
+    EXPECT_TRUE(report);
+    return report.value_or(wire::Report{});
+  }
+
+  firmware::Settings settings_;
+  wire::FrameDecoder decoder_;
+  wire::Key session_{};
+  std::uint32_t counter_ = 0;
+};
+
+TEST_F(QemuVehicle, tellsWhoItIsAndCountsItsStarts) {
+  startVehicle();
+  const wire::Identity identity = meet(0xABCD0123);
+  EXPECT_EQ(identity.hostNonce, 0xABCD0123U);
+  EXPECT_EQ(identity.hardware, 1);
+  EXPECT_EQ(identity.readers, 3);
+  EXPECT_EQ(identity.rangers, 2);
+  host_.kill();
+  startVehicle();
+  EXPECT_EQ(meet(5).boot, identity.boot + 1) << "the EEPROM keeps the count";
+}
+
+TEST_F(QemuVehicle, drivesWhenToldAndStopsByItself) {
+  startVehicle();
+  meet(1);
+  // The first look at the compass takes a moment; until then a heading means nothing.
+  wire::Report report;
+  EXPECT_TRUE(eventually([&] {
+    report = command(wire::CommandMode::Poll);
+    return (report.faults & wire::kFaultCompass) == 0;
+  }));
+  EXPECT_EQ(report.state, wire::VehicleState::Standing);
+  command(wire::CommandMode::Drive, 100, report.bearing);
+  EXPECT_TRUE(eventually([&] {
+    collect();
+    return duty_[0] > 0 && duty_[1] > 0;
+  })) << duty_[0]
+      << " " << duty_[1];
+  EXPECT_TRUE(eventually([&] {
+    collect();
+    return duty_ == std::array{0, 0};
+  })) << "the command has run out";
+}
+
+}  // namespace
+}  // namespace tessera::sim
