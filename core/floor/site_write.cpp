@@ -52,12 +52,12 @@ std::string inDegrees(Radians angle) {
   return exactDegrees(image).value_or(decimal(degrees(angle)));
 }
 
-std::string quoted(const std::string& text) {
+std::string jsonText(const std::string& text) {
   using nlohmann::json;
   return json(text).dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-std::string quoted(std::string_view text) { return quoted(std::string{text}); }
+std::string jsonText(std::string_view text) { return jsonText(std::string{text}); }
 
 template <class Items, class Write>
 std::string inBrackets(const Items& items, Write write) {
@@ -75,38 +75,38 @@ std::string xy(Point p) { return "\"x_m\": " + decimal(p.x.value()) + ", \"y_m\"
 
 std::string line(const TileType& t) {
   std::ostringstream s;
-  s << "{\"name\": " << quoted(t.name) << ", \"width_m\": " << decimal(t.width.value())
+  s << "{\"name\": " << jsonText(t.name) << ", \"width_m\": " << decimal(t.width.value())
     << ", \"height_m\": " << decimal(t.height.value()) << ", \"pitch_m\": " << decimal(t.pitch.value())
     << ", \"margin_m\": " << pair(t.margin) << ", \"columns\": " << t.columns << ", \"rows\": " << t.rows
-    << ", \"pattern\": " << quoted(kPatternNames.at(static_cast<std::size_t>(t.pattern)));
+    << ", \"pattern\": " << jsonText(kPatternNames.at(static_cast<std::size_t>(t.pattern)));
   if (t.pattern == Pattern::OneInTwo) s << ", \"starts_with_gap\": " << (t.startsWithGap ? "true" : "false");
   if (t.pattern == Pattern::Custom) {
     std::vector<std::string> rows(static_cast<std::size_t>(t.rows));
     const auto columns = static_cast<std::size_t>(t.columns);
     for (std::size_t i = 0; i < rows.size() * columns; ++i)
       rows[i / columns] += i < t.custom.size() && t.custom[i] ? '#' : '.';
-    s << ", \"custom\": " << inBrackets(rows, [](const std::string& row) { return quoted(row); });
+    s << ", \"custom\": " << inBrackets(rows, [](const std::string& row) { return jsonText(row); });
   }
   s << "}";
   return s.str();
 }
 
 std::string line(const Tile& t) {
-  const auto uid = [](const TagUid& u) { return u.empty() ? std::string{"null"} : quoted(u.text()); };
-  return "{\"serial\": " + quoted(t.serial) + ", \"type\": " + quoted(t.type) +
+  const auto uid = [](const TagUid& u) { return u.empty() ? std::string{"null"} : jsonText(u.text()); };
+  return "{\"serial\": " + jsonText(t.serial) + ", \"type\": " + jsonText(t.type) +
          ", \"uids\": " + inBrackets(t.uids, uid) + "}";
 }
 
 std::string line(const Placement& p) {
-  return "{\"serial\": " + quoted(p.serial) + ", " + xy(p.origin) +
+  return "{\"serial\": " + jsonText(p.serial) + ", " + xy(p.origin) +
          ", \"quarter_turns\": " + std::to_string(p.quarterTurns) + "}";
 }
 
-std::string line(const LooseTag& t) { return "{\"uid\": " + quoted(t.uid.text()) + ", " + xy(t.place) + "}"; }
+std::string line(const LooseTag& t) { return "{\"uid\": " + jsonText(t.uid.text()) + ", " + xy(t.place) + "}"; }
 
 std::string line(const Zone& z) {
-  std::string s = "{\"name\": " + quoted(z.name) +
-                  ", \"kind\": " + quoted(kZoneKindNames.at(static_cast<std::size_t>(z.kind))) +
+  std::string s = "{\"name\": " + jsonText(z.name) +
+                  ", \"kind\": " + jsonText(kZoneKindNames.at(static_cast<std::size_t>(z.kind))) +
                   ", \"outline_m\": " + inBrackets(z.outline, pair<Point>);
   if (z.speed) s += ", \"speed_mps\": " + decimal(z.speed->value());
   if (z.direction) s += ", \"direction_deg\": " + inDegrees(*z.direction);
@@ -114,7 +114,7 @@ std::string line(const Zone& z) {
 }
 
 std::string line(const Route& r) {
-  return "{\"name\": " + quoted(r.name) + ", \"control_spacing_m\": " + decimal(r.controlSpacing.value()) +
+  return "{\"name\": " + jsonText(r.name) + ", \"control_spacing_m\": " + decimal(r.controlSpacing.value()) +
          ", \"vertices_m\": " + inBrackets(r.vertices, pair<Point>) + "}";
 }
 
@@ -129,7 +129,7 @@ std::string keyText(const wire::Key& key) {
 
 std::string line(const VehicleSetup& v) {
   std::ostringstream s;
-  s << "{\"id\": " << int{v.id.value} << ", \"name\": " << quoted(v.name) << ", \"key\": " << quoted(keyText(v.key))
+  s << "{\"id\": " << int{v.id.value} << ", \"name\": " << jsonText(v.name) << ", \"key\": " << jsonText(keyText(v.key))
     << ",\n     \"readers_m\": " << inBrackets(v.readers, pair<Offset>)
     << ", \"reader_radius_m\": " << decimal(v.readerRadius.value())
     << ",\n     \"footprint_m\": " << inBrackets(v.footprint, pair<Point>)
@@ -155,7 +155,7 @@ std::string section(const std::string& key, const Items& items) {
 
 std::string writeSite(const Site& site) {
   std::string s = "{\n  \"format\": \"tessera-site\",\n  \"version\": " + std::to_string(kSiteFormatVersion);
-  s += ",\n  \"name\": " + quoted(site.name);
+  s += ",\n  \"name\": " + jsonText(site.name);
   s += ",\n  \"north_to_y_deg\": " + inDegrees(site.northToY);
   s += ",\n  \"radio\": {\"channel\": " + std::to_string(site.radio.channel) +
        ", \"air_rate_bps\": " + decimal(site.radio.airRate) + ", \"baud\": " + std::to_string(site.radio.baud) + "}";

@@ -14,7 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-std::string refusal(const std::string& text) {
+std::string verdict(const std::string& text) {
   const auto site = parseSite(text, "my.tessera.json");
   return site ? "taken" : site.error().sentence;
 }
@@ -24,41 +24,41 @@ std::string withRest(const std::string& rest) {
 }
 
 TEST(SiteErrors, nameFilePlaceExpectationAndFinding) {
-  EXPECT_EQ(refusal(withRest(R"("north_to_y_deg": 361)")),
+  EXPECT_EQ(verdict(withRest(R"("north_to_y_deg": 361)")),
             "my.tessera.json: /north_to_y_deg: expected a number of degrees from -360.0 to 360.0, found 361.");
-  EXPECT_EQ(refusal(withRest(R"("routes": [{"name": "r", "vertices_m": [[0, 0], [1, "a"]]}])")),
+  EXPECT_EQ(verdict(withRest(R"("routes": [{"name": "r", "vertices_m": [[0, 0], [1, "a"]]}])")),
             "my.tessera.json: /routes/0/vertices_m/1/1: expected a number of metres from -100000.0 to 100000.0, found "
             "\"a\".");
-  EXPECT_EQ(refusal(withRest(R"("tiles": [{"serial": "A", "type": "t", "uids": ["04B15F82", "04G1"]}])")),
+  EXPECT_EQ(verdict(withRest(R"("tiles": [{"serial": "A", "type": "t", "uids": ["04B15F82", "04G1"]}])")),
             "my.tessera.json: /tiles/0/uids/1: expected a tag's UID of 8, 14 or 20 hexadecimal digits or null, found "
             "\"04G1\".");
-  EXPECT_EQ(refusal(withRest(R"("placements": [{"serial": "A", "x_m": 0, "y_m": 0, "quarter_turns": 1.5}])")),
+  EXPECT_EQ(verdict(withRest(R"("placements": [{"serial": "A", "x_m": 0, "y_m": 0, "quarter_turns": 1.5}])")),
             "my.tessera.json: /placements/0/quarter_turns: expected a whole number from 0 to 3, found 1.5.");
-  EXPECT_EQ(refusal(R"({"format": "tessera-site", "version": 2, "name": "n"})"),
+  EXPECT_EQ(verdict(R"({"format": "tessera-site", "version": 2, "name": "n"})"),
             "my.tessera.json: /version: expected a whole number from 1 to 1, found 2.");
-  EXPECT_EQ(refusal("[]"), "my.tessera.json: the document: expected an object, found an array of 0.");
+  EXPECT_EQ(verdict("[]"), "my.tessera.json: the document: expected an object, found an array of 0.");
 }
 
 TEST(SiteErrors, nameMissingAndUnknownKeys) {
-  EXPECT_EQ(refusal(R"({"format": "tessera-site", "version": 1})"),
+  EXPECT_EQ(verdict(R"({"format": "tessera-site", "version": 1})"),
             "my.tessera.json: /name: expected this key, which is missing.");
   EXPECT_THAT(
-      refusal(withRest(R"("north_to_y": 20)")),
+      verdict(withRest(R"("north_to_y": 20)")),
       AllOf(StartsWith("my.tessera.json: /north_to_y: there is no such key here"), HasSubstr("north_to_y_deg")));
-  EXPECT_THAT(refusal(withRest(R"("a/b~c": 1)")), StartsWith("my.tessera.json: /a~1b~0c: ")) << "RFC 6901";
+  EXPECT_THAT(verdict(withRest(R"("a/b~c": 1)")), StartsWith("my.tessera.json: /a~1b~0c: ")) << "RFC 6901";
 }
 
 TEST(SiteErrors, nameLineAndColumnOfWhatIsNoJson) {
-  EXPECT_THAT(refusal("{\n  \"format\": tessera\n}"), HasSubstr("line 2, column 14"));
-  EXPECT_THAT(refusal(""), HasSubstr("line 1, column 1"));
-  EXPECT_THAT(refusal("{} {}"), HasSubstr("line 1, column 4"));
-  EXPECT_THAT(refusal(withRest("\"north_to_y_deg\": 1e999")), HasSubstr("too large"));
-  EXPECT_THAT(refusal(withRest("\"north_to_y_deg\": NaN")), HasSubstr("expected JSON"));
-  EXPECT_THAT(refusal("{\"name\": \"\xFF\"}"), HasSubstr("expected JSON"));
+  EXPECT_THAT(verdict("{\n  \"format\": tessera\n}"), HasSubstr("line 2, column 14"));
+  EXPECT_THAT(verdict(""), HasSubstr("line 1, column 1"));
+  EXPECT_THAT(verdict("{} {}"), HasSubstr("line 1, column 4"));
+  EXPECT_THAT(verdict(withRest("\"north_to_y_deg\": 1e999")), HasSubstr("too large"));
+  EXPECT_THAT(verdict(withRest("\"north_to_y_deg\": NaN")), HasSubstr("expected JSON"));
+  EXPECT_THAT(verdict("{\"name\": \"\xFF\"}"), HasSubstr("expected JSON"));
 }
 
 TEST(SiteErrors, ofAKeyDoNotQuoteIt) {
-  const std::string error = refusal(withRest(
+  const std::string error = verdict(withRest(
       R"("vehicles": [{"id": 1, "name": "v", "key": "SECRET", "readers_m": [[0, 0]], "footprint_m": [[0,0],[1,0],[0,1]]}])"));
   EXPECT_EQ(error, "my.tessera.json: /vehicles/0/key: expected a key of 32 hexadecimal digits, found something else.");
 }
@@ -67,36 +67,36 @@ TEST(SiteErrors, ofATileTypeThatCannotBe) {
   const auto type = [](const std::string& rest) {
     return withRest(R"("tile_types": [{"name": "t", "width_m": 0.6, "height_m": 0.6, "pitch_m": 0.15, )" + rest + "}]");
   };
-  EXPECT_EQ(refusal(type(R"("columns": 4, "rows": 4, "pattern": "full")")), "taken");
-  EXPECT_THAT(refusal(type(R"("columns": 6, "rows": 4, "pattern": "full")")), HasSubstr("lies on the tile"));
-  EXPECT_THAT(refusal(type(R"("columns": 4, "rows": 4, "pattern": "half")")), HasSubstr("\"one-in-two\""));
-  EXPECT_THAT(refusal(type(R"("columns": 2, "rows": 1, "pattern": "custom")")),
+  EXPECT_EQ(verdict(type(R"("columns": 4, "rows": 4, "pattern": "full")")), "taken");
+  EXPECT_THAT(verdict(type(R"("columns": 6, "rows": 4, "pattern": "full")")), HasSubstr("lies on the tile"));
+  EXPECT_THAT(verdict(type(R"("columns": 4, "rows": 4, "pattern": "half")")), HasSubstr("\"one-in-two\""));
+  EXPECT_THAT(verdict(type(R"("columns": 2, "rows": 1, "pattern": "custom")")),
               HasSubstr("/custom: expected the rows"));
-  EXPECT_THAT(refusal(type(R"("columns": 2, "rows": 1, "pattern": "custom", "custom": ["#"])")),
+  EXPECT_THAT(verdict(type(R"("columns": 2, "rows": 1, "pattern": "custom", "custom": ["#"])")),
               HasSubstr("/custom/0"));
-  EXPECT_THAT(refusal(type(R"("columns": 2, "rows": 1, "pattern": "custom", "custom": ["#x"])")),
+  EXPECT_THAT(verdict(type(R"("columns": 2, "rows": 1, "pattern": "custom", "custom": ["#x"])")),
               HasSubstr("/custom/0"));
-  EXPECT_EQ(refusal(type(R"("columns": 2, "rows": 1, "pattern": "custom", "custom": ["#."])")), "taken");
-  EXPECT_THAT(refusal(type(R"("columns": 2, "rows": 2, "pattern": "full", "starts_with_gap": true)")),
+  EXPECT_EQ(verdict(type(R"("columns": 2, "rows": 1, "pattern": "custom", "custom": ["#."])")), "taken");
+  EXPECT_THAT(verdict(type(R"("columns": 2, "rows": 2, "pattern": "full", "starts_with_gap": true)")),
               HasSubstr("/starts_with_gap"));
 }
 
 TEST(SiteErrors, neitherDepthNorLengthDoesHarm) {
-  EXPECT_THAT(refusal(std::string(5'000'000, '[')), HasSubstr("deeper than 16"));
+  EXPECT_THAT(verdict(std::string(5'000'000, '[')), HasSubstr("deeper than 16"));
   std::string objects;
   for (int i = 0; i < 100'000; ++i) objects += "{\"a\":";
-  EXPECT_THAT(refusal(objects), HasSubstr("deeper than 16"));
-  EXPECT_THAT(refusal(std::string((std::size_t{64} << 20) + 1, ' ')), HasSubstr("64 MiB"));
+  EXPECT_THAT(verdict(objects), HasSubstr("deeper than 16"));
+  EXPECT_THAT(verdict(std::string((std::size_t{64} << 20) + 1, ' ')), HasSubstr("64 MiB"));
   const std::string wide = withRest("\"tiles\": [" + std::string(1'000'000, '0') + "]");
-  EXPECT_NE(refusal(wide), "taken");
-  EXPECT_LT(refusal(withRest("\"north_to_y_deg\": \"" + std::string(100'000, 'x') + "\"")).size(), 300U);
-  EXPECT_LT(refusal(withRest("\"" + std::string(100'000, 'x') + "\": 1")).size(), 500U);
+  EXPECT_NE(verdict(wide), "taken");
+  EXPECT_LT(verdict(withRest("\"north_to_y_deg\": \"" + std::string(100'000, 'x') + "\"")).size(), 300U);
+  EXPECT_LT(verdict(withRest("\"" + std::string(100'000, 'x') + "\": 1")).size(), 500U);
 }
 
 TEST(SiteErrors, everyCutAndEveryChangedByteIsTakenOrRefusedInWords) {
   const std::string whole = writeSite(randomSite(4));
   for (std::size_t n = 0; n < whole.size() - 2; ++n) {
-    ASSERT_THAT(refusal(whole.substr(0, n)), StartsWith("my.tessera.json: ")) << n;
+    ASSERT_THAT(verdict(whole.substr(0, n)), StartsWith("my.tessera.json: ")) << n;
   }
   std::mt19937_64 random{5};
   for (int i = 0; i < 5000; ++i) {

@@ -9,7 +9,7 @@
 namespace tessera::wire {
 namespace {
 
-Bytes bytesOf(std::string_view text) { return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}; }
+Bytes ascii(std::string_view text) { return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}; }
 
 std::string hex(Bytes bytes) {
   std::string s;
@@ -22,13 +22,13 @@ std::string hex(Bytes bytes) {
 
 std::string sha256(std::string_view text) {
   Sha256 hash;
-  hash.update(bytesOf(text));
+  hash.update(ascii(text));
   return hex(hash.finish());
 }
 
 std::string hmac(std::string_view key, std::string_view text) {
-  Hmac mac{bytesOf(key)};
-  mac.update(bytesOf(text));
+  Hmac mac{ascii(key)};
+  mac.update(ascii(text));
   return hex(mac.finish());
 }
 
@@ -50,7 +50,7 @@ TEST(Sha256, doesNotCareHowTheTextIsCut) {
   for (std::size_t piece : {1U, 3U, 55U, 56U, 63U, 64U, 65U, 999U}) {
     Sha256 hash;
     for (std::size_t at = 0; at < text.size(); at += piece)
-      hash.update(bytesOf(std::string_view{text}.substr(at, piece)));
+      hash.update(ascii(std::string_view{text}.substr(at, piece)));
     EXPECT_EQ(hex(hash.finish()), whole) << piece;
   }
 }

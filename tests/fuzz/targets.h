@@ -1,0 +1,32 @@
+// What the fuzzers run: each takes any bytes at all and ends the process when a promise is broken. The same functions
+// serve libFuzzer (TESSERA_FUZZ) and the seeded loop that every test run makes.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tessera::fuzz {
+
+using Input = std::vector<std::uint8_t>;
+
+/// Bytes from the radio: decoder, message decoders, commands, replay guard.
+void wire(std::span<const std::uint8_t> input);
+/// A site file's text: parser, writer, map.
+void site(std::span<const std::uint8_t> input);
+
+/// Inputs to begin with: good ones of every kind.
+[[nodiscard]] std::vector<Input> wireSeeds();
+[[nodiscard]] std::vector<Input> siteSeeds(const std::string& folderOfSites);
+
+/// Not assert(): it must hold in optimised builds as well.
+inline void require(bool promise, const char* what) {
+  if (promise) return;
+  std::fprintf(stderr, "broken promise: %s\n", what);
+  std::abort();
+}
+
+}  // namespace tessera::fuzz
