@@ -1,0 +1,203 @@
+// `tessera-cli experiment`: drives routes in a simulated world, and judges the drive by what was true.
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/command.h"
+#include "app/cli/exit_codes.h"
+#include "app/cli/output.h"
+#include "app/cli/port_run.h"
+#include "app/cli/track_picture.h"
+#include "app/cli/world_process.h"
+#include "app/experiment/lockstep.h"
+#include "app/experiment/report.h"
+#include "app/experiment/summary.h"
+#include "app/world/make_world.h"
+#include "app/world/world_options.h"
+#include "floor/site_json.h"
+
+namespace tessera::cli {
+namespace {
+
+struct Words {
+  world::WorldOptions world;
+  std::string kind = "native";
+  std::string route;
+  std::vector<std::string> drives;
+  double speed = 0.12;
+  std::string out = "out/experiment";
+  std::string estimator;
+  std::string controller;
+  double limit = 0;
+  bool lockstep = false;
+  bool json = false;
+  bool quiet = false;
+};
+
+// What a run needs, made from the words and checked.
+struct Plan {
+  std::shared_ptr<const floor::SiteMap> map;
+  std::vector<experiment::Assignment> assignments;
+  supervisor::Config config;
+  MetresPerSecond speed;
+  Seconds limit;
+};
+
+Result<Plan> planOf(const Words& words) {
+  auto site = floor::loadSite(words.world.site);
+  if (!site) return tl::unexpected{site.error()};
+  // The world's radios and the host's are set alike, as an integrator would.
+  if (words.world.airRate) site->radio.airRate = *words.world.airRate;
+  auto map = floor::SiteMap::build(std::move(*site));
+  if (!map) return failure(words.world.site + ": " + map.error().sentence);
+  Plan plan;
+  plan.map = *map;
+  plan.speed = MetresPerSecond{words.speed};
+  std::vector<std::string> drives = words.drives;
+  if (!words.route.empty()) {
+    if (plan.map->site().vehicles.empty()) return failure(words.world.site + " has no vehicle.");
+    drives.push_back(std::to_string(plan.map->site().vehicles.front().id.value) + "=" + words.route);
+  }
+  if (drives.empty()) return failure("Name a route with --route NAME, or vehicles and routes with --drive ID=ROUTE.");
+  for (const std::string& word : drives) {
+    auto assignment = parseAssignment(word, *plan.map);
+    if (!assignment) return tl::unexpected{assignment.error()};
+    plan.config.vehicles.push_back(assignment->vehicle);
+    plan.assignments.push_back(*assignment);
+  }
+  plan.config.locator = words.estimator;
+  plan.config.controller = words.controller;
+  plan.config.seed = words.world.seed;
+  plan.limit = words.limit > 0 ? Seconds{words.limit} : generousLimit(*plan.map, plan.assignments, plan.speed);
+  return plan;
+}
+
+// A run in virtual time, in this process.
+Result<RunEnd> runLockstep(const Plan& plan, const Words& words, experiment::Recorder& recorder,
+                           ProgressLine& progress) {
+  auto made = world::makeWorld(words.world, Seconds{});
+  if (!made) return tl::unexpected{made.error()};
+  auto supervisor = supervisor::Supervisor::create(plan.map, plan.config);
+  if (!supervisor) return tl::unexpected{supervisor.error()};
+  if (auto started = made->world->startAll(); !started) return tl::unexpected{started.error()};
+  experiment::Lockstep lockstep{*made->world, *supervisor, recorder};
+  if (!lockstep.run(Seconds{60}, [&] { return recorder.allConnected(); })) return RunEnd::TimeUp;
+  for (const auto& assignment : recorder.assignments()) {
+    supervisor->post(supervisor::RunRoute{assignment.vehicle, assignment.route, plan.speed});
+  }
+  const bool done = lockstep.run(lockstep.now() + plan.limit, [&] {
+    progress.show(recorder.share(), recorder.progress());
+    return recorder.allFinished();
+  });
+  return done ? RunEnd::Finished : RunEnd::TimeUp;
+}
+
+// A run in real time over a pty: the world in a process of its own.
+Result<RunEnd> runThroughPty(const Plan& plan, const Words& words, experiment::Recorder& recorder,
+                             ProgressLine& progress) {
+  WorldProcess process;
+  progress.note("Setting the simulated world up: each vehicle calibrates its compass.");
+  if (auto started = process.start(world::worldArguments(words.world)); !started) {
+    return tl::unexpected{started.error()};
+  }
+  progress.note("The radio stands at " + process.port() + ".");
+  PortRunSpec spec{plan.map, plan.config, process.port(), plan.speed, plan.limit, true};
+  auto end = runOnPort(spec, recorder, progress);
+  process.stop();
+  return end;
+}
+
+nlohmann::json optionsOf(const Words& words, const Plan& plan) {
+  nlohmann::json options{{"site", words.world.site},
+                         {"vehicle", words.kind},
+                         {"speed_m_per_s", words.speed},
+                         {"seed", words.world.seed},
+                         {"lockstep", words.lockstep},
+                         {"estimator", words.estimator.empty() ? "default" : words.estimator},
+                         {"controller", words.controller.empty() ? "default" : words.controller},
+                         {"air_rate_bit_per_s", words.world.airRate.value_or(plan.map->site().radio.airRate)}};
+  std::vector<std::string> all = world::worldArguments(words.world);
+  std::erase_if(all, [&](const std::string& word) { return word == words.world.truth; });
+  options["world_arguments"] = all;
+  return options;
+}
+
+int conclude(const Words& words, const Plan& plan, const experiment::Recorder& recorder, RunEnd end) {
+  std::vector<experiment::TruthTrack> truths;
+  for (const auto& assignment : plan.assignments) {
+    auto truth = experiment::readTruth(words.world.truth, assignment.vehicle.value);
+    if (!truth) return complain(truth.error().sentence, kBadInput);
+    truths.push_back(std::move(*truth));
+  }
+  const auto outcomes = experiment::judge(*plan.map, recorder, truths, plan.speed);
+  const nlohmann::json summary = experiment::summarise(optionsOf(words, plan), outcomes, recorder);
+  if (auto written = experiment::writeReport(words.out, summary, outcomes); !written) {
+    return complain(written.error().sentence, kCannotWrite);
+  }
+  const std::string picture = words.out + "/track.png";
+  if (auto drawn = drawTracks(*plan.map, outcomes, plan.speed, words.world.seed, picture); !drawn) {
+    return complain(drawn.error().sentence, kCannotWrite);
+  }
+  if (words.json) {
+    say(summary.dump(2));
+  } else {
+    for (const auto& outcome : outcomes) say(sentenceOf(outcome));
+    say("Picture: " + std::filesystem::absolute(picture).lexically_normal().string());
+  }
+  if (end == RunEnd::Interrupted) return kInterrupted;
+  return end == RunEnd::Finished ? kDone : kNotFinished;
+}
+
+int experimentMain(Words words) {
+  words.world.kind = words.kind == "qemu" ? world::Kind::Qemu : world::Kind::Native;
+  if (words.lockstep && words.world.kind == world::Kind::Qemu) {
+    return complain("An emulated vehicle runs in real time: leave out --lockstep, or take --vehicle native.", kUsage);
+  }
+  auto plan = planOf(words);
+  if (!plan) return complain(plan.error().sentence, kBadInput);
+  for (const auto& id : plan->config.vehicles) words.world.vehicles.push_back(id.value);
+  std::error_code error;
+  std::filesystem::create_directories(words.out, error);
+  if (error) return complain("The folder " + words.out + " could not be made: " + error.message() + ".", kCannotWrite);
+  words.world.truth = words.out + "/truth.csv";
+
+  experiment::Recorder recorder{plan->assignments};
+  Result<RunEnd> end = RunEnd::TimeUp;
+  {
+    ProgressLine progress{words.quiet || words.json};
+    end = words.lockstep ? runLockstep(*plan, words, recorder, progress)
+                         : runThroughPty(*plan, words, recorder, progress);
+  }
+  if (!end) return complain(end.error().sentence, kNoPort);
+  return conclude(words, *plan, recorder, *end);
+}
+
+}  // namespace
+
+void addExperiment(CLI::App& app, Run& run) {
+  auto* command = app.add_subcommand(
+      "experiment", "Drive routes in a simulated world and measure how well: summary.json, track.csv, track.png");
+  auto words = std::make_shared<Words>();
+  command->add_option("SITE", words->world.site, "A *.tessera.json file")->required();
+  command->add_option("--route", words->route, "Route for the site's first vehicle");
+  command->add_option("--drive", words->drives, "ID=ROUTE: a vehicle and its route; may be given several times");
+  command->add_option("--speed", words->speed, "Speed asked for, m/s")
+      ->check(CLI::Range(0.01, 2.0))
+      ->capture_default_str();
+  command
+      ->add_option("--vehicle", words->kind, "Firmware in the emulated microcontroller, or compiled for this machine")
+      ->check(CLI::IsMember({"qemu", "native"}))
+      ->capture_default_str();
+  command->add_option("--firmware", words->world.firmware, "ELF for --vehicle qemu; default: beside this program");
+  command->add_option("--out", words->out, "Folder for the results")->capture_default_str();
+  command->add_option("--estimator", words->estimator, "Locator by name; default: the best");
+  command->add_option("--controller", words->controller, "Controller by name; default: the best");
+  command->add_option("--limit", words->limit, "Give up after so many seconds; default: three times the drive, and 60");
+  command->add_flag("--lockstep", words->lockstep,
+                    "Virtual time in one process, without a port: faster, and the same each time (native only)");
+  command->add_flag("--json", words->json, "Print the summary as JSON");
+  command->add_flag("--quiet", words->quiet, "No progress");
+  world::addWorldConditions(*command, words->world);
+  command->callback([words, &run] { run = [words] { return experimentMain(*words); }; });
+}
+
+}  // namespace tessera::cli

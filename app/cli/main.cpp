@@ -1,0 +1,35 @@
+// tessera-cli: everything that Tessera does without a window.
+#include <CLI/CLI.hpp>
+#include <QApplication>
+#include <cstdio>
+
+#include "app/cli/command.h"
+#include "app/cli/exit_codes.h"
+
+int main(int argc, char** argv) {
+  using namespace tessera::cli;
+  // Charts are drawn by widgets, which need a platform; this one needs no display.
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR")) qputenv("XDG_RUNTIME_DIR", "/tmp");
+
+  CLI::App app{"Tessera without a window: supervise vehicles on an RFID tile floor, check sites, run experiments.",
+               "tessera-cli"};
+  app.set_version_flag("--version", TESSERA_VERSION);
+  app.set_help_all_flag("--help-all", "Help for every sub-command");
+  app.require_subcommand(1);
+  app.footer(kExitCodeHelp);
+  Run run;
+  addExperiment(app, run);
+  addDrive(app, run);
+  addPorts(app, run);
+  addSite(app, run);
+  for (CLI::App* sub : app.get_subcommands({})) sub->footer(kExitCodeHelp);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    const int asked = app.exit(e);  // prints help, the version or what is wrong
+    return asked == 0 ? kDone : kUsage;
+  }
+  QApplication application{argc, argv};
+  return run();
+}

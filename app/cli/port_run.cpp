@@ -1,0 +1,152 @@
+#include "app/cli/port_run.h"
+
+#include <signal.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <QEventLoop>
+#include <QRandomGenerator>
+#include <QSocketNotifier>
+#include <QTimer>
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+#include "app/cli/output.h"
+#include "base/polyline.h"
+#include "host/supervisor_thread.h"
+
+namespace tessera::cli {
+namespace {
+
+// Turns Ctrl-C and a polite kill into something that an event loop sees; the handler itself only writes a byte.
+class Interrupt {
+public:
+  Interrupt() {
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0, ends_) != 0) return;
+    writeEnd = ends_[1];
+    struct sigaction action {};
+    action.sa_handler = [](int) {
+      const char byte = 1;
+      [[maybe_unused]] const auto written = ::write(writeEnd, &byte, 1);
+    };
+    sigaction(SIGINT, &action, &oldInt_);
+    sigaction(SIGTERM, &action, &oldTerm_);
+  }
+  ~Interrupt() {
+    sigaction(SIGINT, &oldInt_, nullptr);
+    sigaction(SIGTERM, &oldTerm_, nullptr);
+    writeEnd = -1;
+    for (int end : ends_) ::close(end);
+  }
+  Interrupt(const Interrupt&) = delete;
+  Interrupt& operator=(const Interrupt&) = delete;
+  [[nodiscard]] int readEnd() const { return ends_[0]; }
+
+private:
+  // A signal handler can reach nothing but a global.
+  static inline volatile sig_atomic_t writeEnd = -1;
+  int ends_[2] = {-1, -1};
+  struct sigaction oldInt_ {};
+  struct sigaction oldTerm_ {};
+};
+
+// Orders each route as soon as its vehicle is connected.
+class Dispatcher {
+public:
+  Dispatcher(const PortRunSpec& spec, const experiment::Recorder& recorder) : spec_{spec}, recorder_{recorder} {}
+  void look(const supervisor::Snapshot& snapshot, host::SupervisorThread& thread) {
+    for (const auto& a : recorder_.assignments()) {
+      const auto* view = snapshot.find(a.vehicle);
+      if (view == nullptr || view->contact != supervisor::Contact::Connected || ordered_.contains(a.vehicle)) continue;
+      if (thread.post(supervisor::RunRoute{a.vehicle, a.route, spec_.speed})) ordered_.insert(a.vehicle);
+    }
+  }
+
+private:
+  const PortRunSpec& spec_;
+  const experiment::Recorder& recorder_;
+  std::set<VehicleId> ordered_;
+};
+
+}  // namespace
+
+Result<RunEnd> runOnPort(const PortRunSpec& spec, experiment::Recorder& recorder, ProgressLine& progress) {
+  auto config = spec.config;
+  // Nonces must never come twice; a seeded run would repeat the last one's.
+  config.seed = QRandomGenerator::system()->generate64();
+  auto supervisor = supervisor::Supervisor::create(spec.map, config);
+  if (!supervisor) return tl::unexpected{supervisor.error()};
+  host::SerialPort::Options port;
+  port.name = QString::fromStdString(spec.port);
+  port.baud = spec.map->site().radio.baud;
+  host::SupervisorThread thread{std::move(*supervisor), port};
+  Dispatcher dispatcher{spec, recorder};
+  const Seconds begin = host::steadyNow();
+  RunEnd end = RunEnd::TimeUp;
+  bool everOpen = false;
+  QEventLoop loop;
+
+  const auto takeEvents = [&] {
+    for (const auto& event : thread.takeEvents()) {
+      recorder.take(event);
+      if (spec.printEvents) progress.note(lineOf(event, begin));
+    }
+  };
+  QObject::connect(&thread, &host::SupervisorThread::eventsArrived, &loop, takeEvents);
+  QObject::connect(&thread, &host::SupervisorThread::snapshotChanged, &loop, [&] {
+    const auto snapshot = thread.latest();
+    if (!snapshot) return;
+    everOpen = everOpen || snapshot->port.state == supervisor::PortState::Open;
+    recorder.take(*snapshot);
+    dispatcher.look(*snapshot, thread);
+    progress.show(recorder.share(), recorder.progress());
+    if (recorder.allFinished()) {
+      end = RunEnd::Finished;
+      loop.quit();
+    }
+  });
+  Interrupt interrupt;
+  QSocketNotifier notifier{interrupt.readEnd(), QSocketNotifier::Read};
+  QObject::connect(&notifier, &QSocketNotifier::activated, &loop, [&] {
+    end = RunEnd::Interrupted;
+    loop.quit();
+  });
+  QTimer::singleShot(std::chrono::milliseconds{static_cast<long>(spec.limit.value() * 1000)}, &loop, &QEventLoop::quit);
+  thread.start();
+  loop.exec();
+  if (!thread.close() && everOpen)
+    progress.note("Not every vehicle could be told to stop; each stops by itself when its command runs out.");
+  takeEvents();
+  if (!everOpen) return failure("The port " + spec.port + " could not be opened.");
+  return end;
+}
+
+Seconds generousLimit(const floor::SiteMap& map, const std::vector<experiment::Assignment>& assignments,
+                      MetresPerSecond speed) {
+  Metres longest;
+  for (const auto& a : assignments) {
+    if (const auto* route = map.route(a.route)) longest = std::max(longest, Polyline{route->vertices}.length());
+  }
+  return 3.0 * (longest / speed) + Seconds{60};
+}
+
+Result<experiment::Assignment> parseAssignment(const std::string& word, const floor::SiteMap& map) {
+  const auto equals = word.find('=');
+  unsigned id = 0;
+  const char* end = word.data() + std::min(equals, word.size());
+  const auto [at, error] = std::from_chars(word.data(), end, id);
+  if (equals == std::string::npos || error != std::errc{} || at != end || id < 1 || id > 254) {
+    return failure("\"" + word + "\" is not a vehicle's address and a route, like 1=paper.");
+  }
+  experiment::Assignment assignment{VehicleId{static_cast<std::uint8_t>(id)}, word.substr(equals + 1)};
+  if (map.vehicle(assignment.vehicle) == nullptr) {
+    return failure("The site " + map.site().name + " has no vehicle with the address " + std::to_string(id) + ".");
+  }
+  if (map.route(assignment.route) == nullptr) {
+    return failure("The site " + map.site().name + " has no route called \"" + assignment.route + "\".");
+  }
+  return assignment;
+}
+
+}  // namespace tessera::cli
