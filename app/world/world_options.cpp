@@ -82,9 +82,10 @@ void addWorldCast(CLI::App& app, WorldOptions& o) {
   app.add_option("SITE", o.site, "Site file, *.tessera.json")->required()->check(CLI::ExistingFile);
   app.add_option("--vehicle", o.vehicles,
                  "Address of a vehicle to put there; may be repeated (default: all of the site)")
+      ->allow_extra_args(false)
       ->check(CLI::Range{1U, 254U});
   app.add_option("--kind", o.kind, "native: firmware compiled for this machine; qemu: in an emulated LM3S6965")
-      ->transform(CLI::CheckedTransformer{kKinds, CLI::ignore_case})
+      ->transform(CLI::CheckedTransformer{kKinds, CLI::ignore_case}.description("{native,qemu}"))
       ->default_str("native");
   app.add_option("--firmware", o.firmware,
                  "Firmware for --kind qemu (default: tessera-vehicle.elf beside this program)")

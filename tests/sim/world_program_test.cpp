@@ -81,6 +81,12 @@ TEST(WorldOptions, surviveTheWayThroughTheWordsOfACall) {
   EXPECT_EQ(worldArguments(once).size(), words.size());
 }
 
+TEST(WorldOptions, takeTheSiteBeforeAndBehindAVehicle) {
+  const std::string site = kSites + "paper.tessera.json";
+  EXPECT_EQ(parsed({"--vehicle", "1", site}).site, site);
+  EXPECT_EQ(parsed({site, "--vehicle", "1"}).site, site);
+}
+
 TEST(WorldOptions, refuseWhatIsOutOfRange) {
   const std::string site = kSites + "paper.tessera.json";
   EXPECT_THROW(parsed({site, "--loss", "1.5"}), CLI::ParseError);
