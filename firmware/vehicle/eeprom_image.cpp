@@ -6,7 +6,7 @@
 namespace tessera::firmware {
 
 std::array<std::uint8_t, kEepromSize> makeEepromImage(const Settings& settings, std::uint32_t starts) {
-  std::array<std::uint8_t, kEepromSize> image;
+  std::array<std::uint8_t, kEepromSize> image{};
   image.fill(0xFF);  // as a chip comes from the factory
   const auto record = encodeRecord({1, settings});
   std::copy(record.begin(), record.end(), image.begin() + kCopyAddress[0]);

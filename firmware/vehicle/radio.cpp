@@ -74,7 +74,7 @@ void Radio::configure(Micros now) {
 }
 
 void Radio::ask(Micros now) {
-  std::array<std::uint8_t, 32> rubbish;
+  std::array<std::uint8_t, 32> rubbish{};
   for (int i = 0; i < 20 && board_.read(Uart::Radio, rubbish) == rubbish.size(); ++i) {
   }
   answered_ = 0;

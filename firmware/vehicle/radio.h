@@ -31,7 +31,7 @@ public:
       configure(now);
       return;
     }
-    std::array<std::uint8_t, 64> buffer;
+    std::array<std::uint8_t, 64> buffer{};
     if (const std::size_t n = board_.read(Uart::Radio, buffer); n > 0) {
       lastByte_ = now;
       decoder_.feed(wire::Bytes{buffer}.first(n), sink);

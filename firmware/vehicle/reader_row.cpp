@@ -22,7 +22,7 @@ void ReaderRow::start(int readers) {
 }
 
 std::optional<Reading> ReaderRow::poll(Micros now) {
-  std::array<std::uint8_t, 32> buffer;
+  std::array<std::uint8_t, 32> buffer{};
   const std::size_t n = board_.read(Uart::Readers, buffer);
   if (!waiting_) {
     next(now);

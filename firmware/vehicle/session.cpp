@@ -150,13 +150,13 @@ std::size_t Session::writeIdentity(std::span<std::uint8_t> out) {
   identity.hardware = person_.hardware;
   identity.readers = person_.readers;
   identity.rangers = person_.rangers;
-  std::array<std::uint8_t, wire::kMaxPayload> body;
+  std::array<std::uint8_t, wire::kMaxPayload> body{};
   return sealLongTerm(MessageType::Identity, wire::Bytes{body}.first(encode(identity, body)), out);
 }
 
 std::size_t Session::writeHail(std::span<std::uint8_t> out) {
   owed_ = Owed::Nothing;
-  std::array<std::uint8_t, wire::kMaxPayload> body;
+  std::array<std::uint8_t, wire::kMaxPayload> body{};
   const wire::Hail hail{boot(), static_cast<std::uint8_t>(person_.cause)};
   return sealLongTerm(MessageType::Hail, wire::Bytes{body}.first(encode(hail, body)), out);
 }
@@ -166,13 +166,13 @@ std::size_t Session::writeReport(wire::Report report, Micros now, std::span<std:
   report.ack = ack_;
   report.hold = milliseconds(now - ackTime_);
   faults_ = 0;
-  std::array<std::uint8_t, wire::kMaxPayload> body;
+  std::array<std::uint8_t, wire::kMaxPayload> body{};
   return seal(MessageType::Report, wire::Bytes{body}.first(encode(report, body)), out);
 }
 
 std::size_t Session::writeValue(std::span<std::uint8_t> out) {
   owed_ = Owed::Nothing;
-  std::array<std::uint8_t, wire::kMaxPayload> body;
+  std::array<std::uint8_t, wire::kMaxPayload> body{};
   return seal(MessageType::Value, wire::Bytes{body}.first(encode(value_, body)), out);
 }
 

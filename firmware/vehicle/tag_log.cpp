@@ -66,7 +66,7 @@ void TagLog::acknowledge(std::uint8_t next) {
 
 void TagLog::beginSession(Micros now) {
   reported_ = 0;
-  for (std::uint8_t reader = 0; reader < heads_.size(); ++reader)
+  for (std::uint8_t reader = 0; reader < std::uint8_t{kMaxReaders}; ++reader)
     if (heads_[reader].length > 0) enter(reader, std::min(now, heads_[reader].lastGood));
 }
 

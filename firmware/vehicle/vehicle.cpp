@@ -72,7 +72,7 @@ void Vehicle::hear(const Heard& heard, Micros now) {
 
 void Vehicle::reply(Micros now) {
   if (!radio_.canSend()) return;
-  std::array<std::uint8_t, wire::kMaxFrame> out;
+  std::array<std::uint8_t, wire::kMaxFrame> out{};
   std::size_t size = 0;
   switch (session_.due(now)) {
     case Owed::Nothing:

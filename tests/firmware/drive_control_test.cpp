@@ -59,7 +59,8 @@ TEST(DriveControl, keepsToTheLimitsOfSpeedTurnRateAndAcceleration) {
   IdealVehicle v;
   Motion before;
   for (int i = 0; i < 1000; ++i) {
-    const float bearing = radians(static_cast<float>(i / 150) * 77.0F);
+    const int leg = i / 150;
+    const float bearing = radians(static_cast<float>(leg) * 77.0F);
     v.hold(i % 300 < 150 ? 0.5F : -0.4F, bearing, 1);
     EXPECT_LE(std::fabs(v.motion.speed) + std::fabs(v.motion.turnRate) * 0.15F, 0.5F + 0.06F);
     EXPECT_LE(std::fabs(v.motion.turnRate), 1.5F + 1e-4F);

@@ -40,7 +40,8 @@ TEST(ReaderRow, asksAllReadersInTurnManyTimesASecond) {
 
 TEST(ReaderRow, takesUidsOfAllLengths) {
   RowBench bench{4};
-  for (std::uint8_t i = 0; i < 4; ++i) bench.bus.nodes[i].data.assign(std::array{0, 4, 7, 10}[i], 0xC3);
+  for (std::uint8_t i = 0; i < 4; ++i)
+    bench.bus.nodes[i].data.assign(std::array<std::size_t, 4>{0, 4, 7, 10}[i], std::uint8_t{0xC3});
   bench.run(100'000);
   ASSERT_GE(bench.readings.size(), 4U);
   for (std::uint8_t i = 0; i < 4; ++i) EXPECT_EQ(bench.readings[i].length, (std::array{0, 4, 7, 10}[i]));
