@@ -50,8 +50,10 @@ Heard Session::hearHail(const wire::Sealed& sealed) {
   if (!hail) return Disbelief::Strange;
   // While a session stands only a later start explains a Hail; an old one could be a recording. A vehicle that cannot
   // count its starts is called again all the same, a little later: its reports stay away.
+  // And a session in which nothing was ever said may not have come about on the other side.
   const bool restarted = identity_ && hail->boot > identity_->boot;
-  if (session_ && !restarted) return Disbelief::Replayed;
+  const bool untried = session_ && session_->guard.last() == 0 && hail->boot == identity_->boot;
+  if (session_ && !restarted && !untried) return Disbelief::Replayed;
   session_.reset();
   return HeardHail{*hail, restarted};
 }

@@ -8,6 +8,7 @@
 
 #include "supervisor/bounded_queue.h"
 #include "supervisor/event.h"
+#include "supervisor/latest_value.h"
 #include "supervisor/order.h"
 #include "supervisor/snapshot.h"
 
@@ -33,7 +34,8 @@ public:
   // From the supervisor's thread.
 
   [[nodiscard]] std::optional<Order> nextOrder() { return orders_.tryPop(); }
-  void publish(std::shared_ptr<const Snapshot> snapshot) { snapshot_.store(std::move(snapshot)); }
+  /// False: it was passed over; the next one will do.
+  bool publish(std::shared_ptr<const Snapshot> snapshot) { return snapshot_.tryStore(std::move(snapshot)); }
   void publish(Event event) {
     if (!events_.tryPush(std::move(event))) ++dropped_;
   }
@@ -41,7 +43,7 @@ public:
 private:
   BoundedQueue<Order, 256> orders_;
   BoundedQueue<Event, 4096> events_;
-  std::atomic<std::shared_ptr<const Snapshot>> snapshot_;
+  LatestValue<Snapshot> snapshot_;
   std::atomic<std::uint64_t> dropped_{0};
 };
 

@@ -31,8 +31,8 @@ public:
     while (auto order = mailbox_->nextOrder())
       if (!deadline_) supervisor_.post(std::move(*order));
     TickOutput out = supervisor_.tick(now);
-    Turn turn{std::move(out.bytes), out.wake, out.snapshot != nullptr, !out.events.empty(), false};
-    if (out.snapshot) mailbox_->publish(std::move(out.snapshot));
+    Turn turn{std::move(out.bytes), out.wake, false, !out.events.empty(), false};
+    if (out.snapshot) turn.newSnapshot = mailbox_->publish(std::move(out.snapshot));
     for (Event& event : out.events) mailbox_->publish(std::move(event));
     turn.closed = deadline_ && (supervisor_.allStopped() || now >= *deadline_);
     return turn;

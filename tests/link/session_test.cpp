@@ -124,10 +124,20 @@ TEST_F(SessionTest, learnsOfARestartByTheHail) {
   EXPECT_TRUE(std::get<HeardIdentity>(again).restarted);
 }
 
+TEST_F(SessionTest, callsAgainWhenTheVehicleNeverCameIntoTheSession) {
+  const auto hail = poll();
+  hear(call());
+  const Heard heard = hear(hail);
+  ASSERT_TRUE(std::holds_alternative<HeardHail>(heard));
+  EXPECT_FALSE(std::get<HeardHail>(heard).restarted);
+  EXPECT_FALSE(session.open());
+}
+
 TEST_F(SessionTest, doesNotBelieveARecordedHail) {
   const auto hail = poll();
   hear(hail);
   hear(call());
+  hear(poll());
   EXPECT_EQ(std::get<Disbelief>(hear(hail)), Disbelief::Replayed);
   EXPECT_TRUE(session.open());
 }
