@@ -21,8 +21,8 @@ struct Wire {
   std::vector<std::uint8_t> mac;
 };
 
-Wire sealed(const Key& key, std::uint32_t counter, std::vector<std::uint8_t> body = {42},
-            FrameHeader header = kHeader) {
+Wire sealedWire(const Key& key, std::uint32_t counter, std::vector<std::uint8_t> body = {42},
+                FrameHeader header = kHeader) {
   std::array<std::uint8_t, kMaxFrame> out{};
   const std::size_t n = sealFrame(key, counter, header, body, out);
   Wire wire;
@@ -62,7 +62,7 @@ TEST(SessionKey, differsWithEachPartOfTheNonce) {
 }
 
 TEST(SealedFrame, isRefusedAfterAnyChangedBit) {
-  const Wire good = sealed(kKey, 5, {1, 2, 3, 4});
+  const Wire good = sealedWire(kKey, 5, {1, 2, 3, 4});
   const auto refused = [](const Wire& w) {
     ReplayGuard guard;
     return offer(guard, w) == Refusal::Forged && guard.last() == 0;
@@ -98,14 +98,14 @@ TEST(SealedFrame, holdsAtMostFortyFiveBytesOfBody) {
 
 TEST(ReplayGuard, acceptsGrowingCountersWithGaps) {
   ReplayGuard guard{10};
-  for (std::uint32_t c : {11U, 12U, 20U, 60'000U}) EXPECT_EQ(offer(guard, sealed(kKey, c)), Refusal::None) << c;
+  for (std::uint32_t c : {11U, 12U, 20U, 60'000U}) EXPECT_EQ(offer(guard, sealedWire(kKey, c)), Refusal::None) << c;
   EXPECT_EQ(guard.last(), 60'000U);
 }
 
 TEST(ReplayGuard, refusesAFrameSeenBefore) {
   ReplayGuard guard;
-  const Wire first = sealed(kKey, 1);
-  const Wire second = sealed(kKey, 2);
+  const Wire first = sealedWire(kKey, 1);
+  const Wire second = sealedWire(kKey, 2);
   EXPECT_EQ(offer(guard, first), Refusal::None);
   EXPECT_EQ(offer(guard, first), Refusal::Replayed);
   EXPECT_EQ(offer(guard, second), Refusal::None);
@@ -115,42 +115,42 @@ TEST(ReplayGuard, refusesAFrameSeenBefore) {
 
 TEST(ReplayGuard, refusesAFrameOvertakenByALaterOne) {
   ReplayGuard guard;
-  const Wire late = sealed(kKey, 1);
-  EXPECT_EQ(offer(guard, sealed(kKey, 2)), Refusal::None);
+  const Wire late = sealedWire(kKey, 1);
+  EXPECT_EQ(offer(guard, sealedWire(kKey, 2)), Refusal::None);
   EXPECT_EQ(offer(guard, late), Refusal::Replayed);
 }
 
 TEST(ReplayGuard, countsOnWhereSixteenBitsEnd) {
   ReplayGuard guard{65'534};
-  EXPECT_EQ(offer(guard, sealed(kKey, 65'535)), Refusal::None);
-  EXPECT_EQ(offer(guard, sealed(kKey, 65'536)), Refusal::None);
+  EXPECT_EQ(offer(guard, sealedWire(kKey, 65'535)), Refusal::None);
+  EXPECT_EQ(offer(guard, sealedWire(kKey, 65'536)), Refusal::None);
   EXPECT_EQ(guard.last(), 65'536U);
-  EXPECT_EQ(offer(guard, sealed(kKey, 65'535)), Refusal::Replayed) << "from before the wrap";
-  EXPECT_EQ(offer(guard, sealed(kKey, 131'071)), Refusal::None);
-  EXPECT_EQ(offer(guard, sealed(kKey, 131'073)), Refusal::None);
+  EXPECT_EQ(offer(guard, sealedWire(kKey, 65'535)), Refusal::Replayed) << "from before the wrap";
+  EXPECT_EQ(offer(guard, sealedWire(kKey, 131'071)), Refusal::None);
+  EXPECT_EQ(offer(guard, sealedWire(kKey, 131'073)), Refusal::None);
   EXPECT_EQ(guard.last(), 131'073U);
 }
 
 TEST(ReplayGuard, refusesTheSameLowBitsOfAnotherTurn) {
   ReplayGuard guard;
-  const Wire old = sealed(kKey, 100);
+  const Wire old = sealedWire(kKey, 100);
   EXPECT_EQ(offer(guard, old), Refusal::None);
-  EXPECT_EQ(offer(guard, sealed(kKey, 65'600)), Refusal::None);
+  EXPECT_EQ(offer(guard, sealedWire(kKey, 65'600)), Refusal::None);
   EXPECT_EQ(offer(guard, old), Refusal::Replayed) << "its low 16 bits would be new, its MAC is not";
 }
 
 TEST(ReplayGuard, losesTheThreadAfterMissing65536Frames) {
   ReplayGuard guard{5};
-  EXPECT_EQ(offer(guard, sealed(kKey, 5 + 65'536)), Refusal::None);
-  EXPECT_EQ(offer(guard, sealed(kKey, 5 + 65'536 + 65'537)), Refusal::Forged) << "a new session is needed";
+  EXPECT_EQ(offer(guard, sealedWire(kKey, 5 + 65'536)), Refusal::None);
+  EXPECT_EQ(offer(guard, sealedWire(kKey, 5 + 65'536 + 65'537)), Refusal::Forged) << "a new session is needed";
 }
 
 TEST(ReplayGuard, refusesOtherKeysOtherSessionsAndShortMacs) {
   ReplayGuard guard;
-  EXPECT_EQ(offer(guard, sealed(Key{9}, 1)), Refusal::Forged);
-  EXPECT_EQ(offer(guard, sealed(deriveSessionKey(kKey, {1, 1, 1}), 1), deriveSessionKey(kKey, {1, 1, 2})),
+  EXPECT_EQ(offer(guard, sealedWire(Key{9}, 1)), Refusal::Forged);
+  EXPECT_EQ(offer(guard, sealedWire(deriveSessionKey(kKey, {1, 1, 1}), 1), deriveSessionKey(kKey, {1, 1, 2})),
             Refusal::Forged);
-  Wire shortened = sealed(kKey, 1);
+  Wire shortened = sealedWire(kKey, 1);
   shortened.mac.pop_back();
   EXPECT_EQ(offer(guard, shortened), Refusal::TooShort);
   EXPECT_EQ(guard.last(), 0U);
@@ -166,7 +166,7 @@ TEST(ReplayGuard, takesEachOfManyShuffledFramesAtMostOnce) {
     const bool replay = newest > 0 && random() % 4 == 0;
     const std::uint32_t counter =
         replay ? newest - static_cast<std::uint32_t>(random() % std::min(newest, 40'000U)) : newest + step;
-    const Refusal refusal = offer(guard, sealed(kKey, counter));
+    const Refusal refusal = offer(guard, sealedWire(kKey, counter));
     ASSERT_EQ(refusal == Refusal::None, counter > newest) << counter << " after " << newest;
     if (refusal == Refusal::None) {
       ASSERT_TRUE(taken.insert(counter).second);
