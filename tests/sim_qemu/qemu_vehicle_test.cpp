@@ -99,6 +99,20 @@ protected:
     return report.value_or(wire::Report{});
   }
 
+  std::int32_t get(wire::Parameter parameter) {
+    std::array<std::uint8_t, wire::kMaxPayload> body{};
+    std::array<std::uint8_t, wire::kMaxFrame> frame{};
+    const std::size_t n =
+        wire::encode(wire::Request{wire::MessageType::Get, static_cast<std::uint8_t>(parameter), 0}, body);
+    const wire::FrameHeader header{kAddress, wire::kHostAddress, static_cast<std::uint8_t>(wire::MessageType::Get), 0};
+    const std::size_t size = wire::sealFrame(session_, ++counter_, header, std::span{body}.first(n), frame);
+    const auto payload = exchange(std::span{frame}.first(size), wire::MessageType::Value);
+    const auto sealed = wire::splitMac(payload);
+    const auto value = sealed ? wire::decodeValue(sealed->body) : std::nullopt;
+    EXPECT_TRUE(value && value->outcome == wire::Outcome::Done);
+    return value ? value->value : 0;
+  }
+
   firmware::Settings settings_;
   wire::FrameDecoder decoder_;
   wire::Key session_{};
@@ -137,6 +151,10 @@ TEST_F(QemuVehicle, drivesWhenToldAndStopsByItself) {
     collect();
     return duty_ == std::array{0, 0};
   })) << "the command has run out";
+  const std::int32_t stackFree = get(wire::Parameter::StackFree);
+  EXPECT_GT(stackFree, 4096) << "of 8192 bytes";
+  EXPECT_LT(stackFree, 8192);
+  RecordProperty("stackFree", stackFree);
 }
 
 }  // namespace

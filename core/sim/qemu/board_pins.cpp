@@ -4,7 +4,6 @@
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string_view>
 
 #include "sim/qemu/monotonic.h"
@@ -13,6 +12,8 @@ namespace tessera::sim {
 namespace {
 
 constexpr std::array<std::uint64_t, 4> kPortAddresses = {0x40004000, 0x40006000, 0x40007000, 0x40024000};
+constexpr const char* kInterruptMask = "0x40004410";                      // port A
+constexpr const char* kRawInterruptStatus = "0x40004414";                 // port A
 constexpr unsigned kEncoderMask = 0x3C;                                   // port A
 constexpr std::array<unsigned, 2> kEncoderPin = {2, 4};                   // port A: channel A; B is the next one
 constexpr std::array<unsigned, 2> kDirectionPin = {4, 5};                 // port C
@@ -20,23 +21,30 @@ constexpr std::array<unsigned, firmware::kRangers> kTriggerPin = {4, 6};  // por
 constexpr std::array<unsigned, firmware::kRangers> kEchoPin = {5, 7};     // port D
 constexpr unsigned kAuxPin = 2;                                           // port E
 
-constexpr Seconds kFieldPeriod{1.0 / 75.0};  // the compass' own fastest rate
-constexpr double kFieldStep = 0.05;          // µT: half of the compass' resolution
-constexpr double kFieldMost = 186.0;         // µT: beyond, and below 0, the emulated compass takes no values
+// Each value set costs the emulator some 50 µs. The field is looked at as often as the compass measures at most; a
+// change that a turn of two degrees makes is shown at once, noise at every third look.
+constexpr Seconds kFieldPeriod{1.0 / 75.0};
+constexpr int kNoiseEvery = 3;
+constexpr double kFieldTurn = 0.75;   // µT
+constexpr double kFieldStep = 0.05;   // µT: half of the compass' resolution
+constexpr double kFieldMost = 186.0;  // µT: beyond, and below 0, the emulated compass takes no values
 
 template <class T>
 tl::unexpected<Error> passOn(const Result<T>& r) {
   return tl::unexpected<Error>{r.error()};
 }
 
-/// The number in "OK 0x…".
-std::optional<std::uint64_t> answeredWord(std::string_view answer) {
+/// The word at an address of the emulated memory.
+Result<std::uint64_t> readWord(QemuLink& link, const char* address) {
+  const auto answers = link.pins({std::string{"readl "} + address});
+  if (!answers) return passOn(answers);
   constexpr std::string_view kBefore = "OK 0x";
-  if (!answer.starts_with(kBefore)) return std::nullopt;
-  answer.remove_prefix(kBefore.size());
+  std::string_view answer = answers->front();
+  if (answer.starts_with(kBefore)) answer.remove_prefix(kBefore.size());
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(answer.data(), answer.data() + answer.size(), value, 16);
-  if (error != std::errc{} || end != answer.data() + answer.size()) return std::nullopt;
+  if (error != std::errc{} || end != answer.data() + answer.size())
+    return failure("The emulator does not tell registers as expected: '" + answers->front() + "'.");
   return value;
 }
 
@@ -144,6 +152,7 @@ std::vector<std::string> BoardPins::encoderCommands(std::size_t wheel, unsigned 
 
 Result<void> BoardPins::showAllInputs(QemuLink& link) {
   wasReset_ = false;
+  counting_ = false;
   for (EchoSource& echo : echoes_) echo.reset();
   std::vector<std::string> commands;
   for (std::size_t wheel = 0; wheel < 2; ++wheel) {
@@ -169,11 +178,12 @@ void BoardPins::showField(QemuLink& link) {
   const Seconds at = monotonicNow();
   if (at < nextField_) return;
   nextField_ = at + kFieldPeriod;
-  if (link.controlUnderWay() > 0) return;  // busy: the next round shows a fresher field
+  if (link.controlUnderWay() > 0) return;  // busy: the next look sees a fresher field
+  const bool noiseToo = ++fieldLooks_ % kNoiseEvery == 0;
   static constexpr std::array<const char*, 3> kAxes = {"mag-x", "mag-y", "mag-z"};
   for (std::size_t i = 0; i < 3; ++i) {
     const double field = std::clamp(signals_.field[i], 0.0, kFieldMost);
-    if (std::abs(field - shownField_[i]) < kFieldStep) continue;
+    if (std::abs(field - shownField_[i]) < (noiseToo ? kFieldStep : kFieldTurn)) continue;
     shownField_[i] = field;
     link.controlLater("qom-set", {{"path", "/machine/peripheral/compass"},
                                   {"property", kAxes[i]},
@@ -185,20 +195,25 @@ Result<void> BoardPins::stepEncoders(QemuLink& link) {
   if (shown_ == signals_.encoderCounts) return {};
   // An edge is given when the interrupt of the one before was cleared: the emulated processor may stand still for
   // milliseconds when the computer is busy, which no real one does, and would miss edges that no real one misses.
-  const auto status = link.pins({"readl 0x40004410", "readl 0x40004414"});
-  if (!status) return passOn(status);
-  const auto mask = answeredWord((*status)[0]);
-  const auto pending = answeredWord((*status)[1]);
-  if (!mask || !pending) return failure("The emulator does not tell registers as expected: '" + (*status)[0] + "'.");
-  const bool counting = (*mask & kEncoderMask) == kEncoderMask;
+  if (!counting_) {
+    const auto mask = readWord(link, kInterruptMask);
+    if (!mask) return passOn(mask);
+    counting_ = (*mask & kEncoderMask) == kEncoderMask;
+  }
+  std::uint64_t pending = 0;
+  if (counting_) {
+    const auto status = readWord(link, kRawInterruptStatus);
+    if (!status) return passOn(status);
+    pending = *status;
+  }
   std::vector<std::string> commands;
   for (std::size_t wheel = 0; wheel < 2; ++wheel) {
     const std::int64_t target = signals_.encoderCounts[wheel];
     if (shown_[wheel] == target) continue;
-    if (counting && (*pending & 3ULL << kEncoderPin[wheel]) != 0) continue;
+    if (counting_ && (pending & 3ULL << kEncoderPin[wheel]) != 0) continue;
     const unsigned before = encoderLevels(shown_[wheel]);
     // Nobody counts while the firmware starts: the wheel's turning then is lost to it, as on any vehicle.
-    shown_[wheel] = counting ? shown_[wheel] + (target > shown_[wheel] ? 1 : -1) : target;
+    shown_[wheel] = counting_ ? shown_[wheel] + (target > shown_[wheel] ? 1 : -1) : target;
     const auto edges = encoderCommands(wheel, before, encoderLevels(shown_[wheel]));
     commands.insert(commands.end(), edges.begin(), edges.end());
   }

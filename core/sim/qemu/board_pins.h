@@ -20,10 +20,10 @@ public:
   /// To be called for every line of the emulator's log.
   void onTrace(const TraceEvent& event);
   /// Puts all inputs to their levels before the processor starts. The wheels' counts of now are its zero.
-  [[nodiscard]] Result<void> begin(QemuLink& link, const Signals& signals);
+  [[nodiscard]] Result<void> begin(QemuLink& link, const Signals& shown);
   /// Shows what is due: one step of each encoder at most, edges of echoes, AUX, the field. Right after a reset of the
   /// processor, which clears the ports, all of it anew.
-  [[nodiscard]] Result<void> serve(QemuLink& link, const Signals& signals);
+  [[nodiscard]] Result<void> serve(QemuLink& link, const Signals& shown);
   /// Until serve() has work again.
   [[nodiscard]] Seconds rest(Seconds now) const;
 
@@ -52,10 +52,12 @@ private:
   Seconds pinDelay_{30e-6};  ///< from an order to the emulator to the pin, as seen lately
   Signals signals_;
   std::array<std::int64_t, 2> shown_{};  ///< encoder counts that the pins stand for
+  bool counting_ = false;                ///< the firmware's encoder interrupts are on
   bool wasReset_ = false;
   bool shownReady_ = true;
   std::array<double, 3> shownField_{};
   Seconds nextField_{};
+  int fieldLooks_ = 0;
   int resets_ = 0;
   std::string lastRemark_;
 };

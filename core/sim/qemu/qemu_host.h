@@ -28,7 +28,7 @@ public:
   Result<void> start(Seconds now) override;
   void kill() override;
   [[nodiscard]] bool running() const override;
-  void setSignals(const Signals& signals) override;
+  void setSignals(const Signals& shown) override;
   void fromRadio(std::span<const std::uint8_t> bytes) override;
   void fromReaders(std::span<const std::uint8_t> bytes) override;
   void advance(Seconds now) override;

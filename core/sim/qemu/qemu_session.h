@@ -18,14 +18,14 @@ namespace tessera::sim {
 
 class QemuHost::Session {
 public:
-  Session(const QemuConfig& config, const Signals& signals);
+  Session(const QemuConfig& config, const Signals& shown);
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
   /// Waits until the board runs or has failed to.
   [[nodiscard]] Result<void> ready();
-  void set(const Signals& signals);
+  void set(const Signals& shown);
   void send(firmware::Uart port, std::span<const std::uint8_t> bytes);
   [[nodiscard]] Actions take();
   [[nodiscard]] bool running() const { return running_; }
