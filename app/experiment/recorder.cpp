@@ -42,7 +42,9 @@ void Recorder::takeVehicle(Track& track, const supervisor::VehicleView& view, Se
   belief.at = at;
   belief.pose = view.pose;
   belief.located = view.located;
-  belief.driving = view.task == supervisor::Task::Running;
+  // Before it was located for the first time there is no estimate to judge.
+  track.everLocated = track.everLocated || view.located;
+  belief.driving = view.task == supervisor::Task::Running && track.everLocated;
   if (view.command) {
     belief.commandSpeed = view.command->speed;
     belief.commandHeading = view.command->heading;

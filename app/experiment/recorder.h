@@ -42,6 +42,7 @@ private:
   struct Track {
     std::vector<Belief> beliefs;
     bool finished = false;
+    bool everLocated = false;
   };
   void takeVehicle(Track& track, const supervisor::VehicleView& view, Seconds at);
 

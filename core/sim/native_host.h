@@ -19,7 +19,7 @@ public:
   Result<void> start(Seconds now) override;
   void kill() override;
   [[nodiscard]] bool running() const override { return vehicle_.has_value(); }
-  void setSignals(const Signals& signals) override;
+  void setSignals(const Signals& shown) override;
   void fromRadio(std::span<const std::uint8_t> bytes) override;
   void fromReaders(std::span<const std::uint8_t> bytes) override;
   /// poll() at least each ms, tick() each 10 ms; late when the firmware itself was busy for longer.

@@ -39,7 +39,7 @@ public:
   virtual void kill() = 0;
   [[nodiscard]] virtual bool running() const = 0;
 
-  virtual void setSignals(const Signals& signals) = 0;
+  virtual void setSignals(const Signals& shown) = 0;
   virtual void fromRadio(std::span<const std::uint8_t> bytes) = 0;    ///< bytes that the E32 puts on UART0 now
   virtual void fromReaders(std::span<const std::uint8_t> bytes) = 0;  ///< bytes on the reader bus now
   /// Lets the firmware run up to `now` (world time). An emulated one runs by itself in real time.

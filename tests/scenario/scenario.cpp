@@ -22,6 +22,9 @@ Scenario::Scenario(ScenarioSetup setup) : setup_{std::move(setup)} {
     setup_.world.vehicles.push_back(a.vehicle.value);
   }
   made_ = std::make_unique<world::MadeWorld>(expectValue(world::makeWorld(setup_.world, site, Seconds{})));
+  if (setup_.wrongKey) {
+    for (auto& vehicle : site.vehicles) vehicle.key[0] ^= 0xFF;
+  }
   map_ = expectValue(floor::SiteMap::build(std::move(site)));
   supervisor_ = std::make_unique<supervisor::Supervisor>(expectValue(supervisor::Supervisor::create(map_, config)));
   if (auto started = made_->world->startAll(); !started) throw std::runtime_error{started.error().sentence};

@@ -23,6 +23,7 @@ struct ScenarioSetup {
   world::WorldOptions world;  ///< site, vehicles and seed are filled in
   std::string locator;
   std::string controller;
+  bool wrongKey = false;  ///< the supervisor's site has another key for every vehicle than its EEPROM
 };
 
 class Scenario {
