@@ -8,6 +8,9 @@ namespace {
 
 // How far the projection may move between two samples; far less than the distance to a parallel leg along the route.
 constexpr Metres kWindow{0.30};
+// Inside a corner two legs are equally near, and a tremble of a millimetre would make the nearest one flip by
+// centimetres along the route. Of places that are as near as this, the one next to the last progress counts.
+constexpr Metres kAsNear{0.01};
 
 // Root of a mean of squares, fed one by one.
 class RootMeanSquare {
@@ -61,9 +64,20 @@ private:
 }  // namespace
 
 Polyline::Projection ProgressTracker::update(Point truth) {
-  const auto projection = route_.project(truth, along_ - kWindow, along_ + kWindow);
-  along_ = projection.along;
-  return projection;
+  const Metres from = along_ - kWindow;
+  const Metres to = along_ + kWindow;
+  const auto best = route_.project(truth, from, to);
+  auto chosen = best;
+  for (std::size_t leg = 0; leg < route_.legCount(); ++leg) {
+    const Metres legFrom = std::max(from, route_.startOf(leg));
+    const Metres legTo = std::min(to, route_.startOf(leg + 1));
+    if (legFrom > legTo) continue;
+    const auto candidate = route_.project(truth, legFrom, legTo);
+    if (abs(candidate.across) > abs(best.across) + kAsNear) continue;
+    if (abs(candidate.along - along_) < abs(chosen.along - along_)) chosen = candidate;
+  }
+  along_ = chosen.along;
+  return {chosen.along, best.across, chosen.leg, best.nearest};
 }
 
 Metrics evaluate(const Polyline& route, const std::vector<Sample>& samples, MetresPerSecond asked,

@@ -57,7 +57,7 @@ void addWorldConditions(CLI::App& app, WorldOptions& o) {
   app.add_option("--compass-bias", o.compassBias, "Error of the compass' mounting in degrees (default 2)")
       ->group("World")
       ->check(CLI::Range{0.0, 45.0});
-  app.add_option("--compass-spots", o.compassSpots, "Deviation over iron in the floor in degrees (default 5)")
+  app.add_option("--compass-spots", o.compassSpots, "Deviation over iron in the floor in degrees (default 10)")
       ->group("World")
       ->check(CLI::Range{0.0, 45.0});
   app.add_option("--corrupt", o.corrupt, "Probability that a byte of a packet is changed on the air")

@@ -20,10 +20,12 @@ struct MagneticSpot {
 };
 
 inline constexpr double kEarthHorizontal = 20.0;  ///< µT
-inline constexpr Radians kSpotDeviation = fromDegrees(5.0);
+/// Neighbouring spots bend to either side, which makes up to 20° between them: what was seen across a square metre of
+/// a hall.
+inline constexpr Radians kSpotDeviation = fromDegrees(10.0);
 
 /// Spots spread over the site's floor, one for each 1.5 m² of its bounding box, by seed. `deviation` is the heading
-/// error at a spot's centre when its field lies across the earth's (in halls up to 20° were seen over a square metre).
+/// error at a spot's centre when its field lies across the earth's.
 [[nodiscard]] std::vector<MagneticSpot> seededSpots(const floor::Site& site, Radians deviation, std::uint64_t seed);
 
 struct CompassParameters {

@@ -7,6 +7,13 @@
 namespace tessera::supervisor {
 namespace {
 
+// What is heard on the air is one matter, whether the host or the vehicle noticed it.
+EventKind kindOf(std::uint16_t fault) {
+  if (fault == wire::kFaultForged) return EventKind::ForgedFrames;
+  if (fault == wire::kFaultReplayed) return EventKind::ReplayedFrames;
+  return EventKind::Fault;
+}
+
 using Change = Episode::Change;
 
 constexpr std::size_t kMaxUnknownTags = 100;  // told by name; more are a floor that was not registered
@@ -215,10 +222,10 @@ void VehicleAgent::watchState(Seconds now, EventLog& log) {
     const FaultText& text = faultTexts()[i];
     const Change change = faults_[i].update((report.faults & text.bit) != 0, now);
     if (change == Change::Begins)
-      log.tell(text.error ? Severity::Error : Severity::Warning, EventKind::Fault, id(),
+      log.tell(text.error ? Severity::Error : Severity::Warning, kindOf(text.bit), id(),
                name_ + " " + std::string{text.begins});
     if (change == Change::Ends)
-      log.tell(Severity::Info, EventKind::Fault, id(), name_ + " " + std::string{text.ends}, true);
+      log.tell(Severity::Info, kindOf(text.bit), id(), name_ + " " + std::string{text.ends}, true);
   }
 }
 

@@ -81,6 +81,27 @@ TEST(Metrics, doNotMistakeANearLegForThePresentOne) {
   EXPECT_NEAR(m.crossTrackRmsOffCorners.value(), 0.06, 1e-3);
 }
 
+TEST(Metrics, doNotTakeATrembleInsideACornerForATurnBack) {
+  const Polyline corner{{{Metres{0}, Metres{0}}, {Metres{1}, Metres{0}}, {Metres{1}, Metres{1}}}};
+  std::vector<Sample> samples;
+  for (int i = 0; i <= 96; ++i) samples.push_back(drive(0.02, 0, {0.01 * i}).front());
+  // Stands 2 cm inside the corner and trembles by half a millimetre while it turns.
+  for (int i = 0; i < 20; ++i) {
+    Sample s = drive(0.02, 0, {0.98 + (i % 2 == 0 ? 0.0005 : -0.0005)}).front();
+    s.truth.pose.position.y = Metres{0.02 + (i % 2 == 0 ? 0.0005 : -0.0005)};
+    samples.push_back(s);
+  }
+  EXPECT_EQ(evaluate(corner, samples, MetresPerSecond{0.1}).reversals, 0);
+}
+
+TEST(Metrics, seeATurnBackIntoTheLegBeforeTheCorner) {
+  const Polyline corner{{{Metres{0}, Metres{0}}, {Metres{1}, Metres{0}}, {Metres{1}, Metres{1}}}};
+  std::vector<Sample> samples;
+  for (int i = 0; i <= 100; ++i) samples.push_back(drive(0, 0, {0.01 * i}).front());
+  for (int i = 0; i <= 10; ++i) samples.push_back(drive(0, 0, {1.0 - 0.01 * i}).front());
+  EXPECT_EQ(evaluate(corner, samples, MetresPerSecond{0.1}).reversals, 1);
+}
+
 TEST(Metrics, ofAnEmptyRunAreZero) { EXPECT_EQ(evaluate(kStraight, {}, MetresPerSecond{0.1}).samples, 0U); }
 
 TEST(TruthTrack, interpolatesHeadingsTheShortWayRound) {
