@@ -8,7 +8,8 @@ namespace {
 
 constexpr Seconds kAnswerGuard{0.010};  // the vehicle's and our own sluggishness
 constexpr Seconds kWriteTime{0.060};    // a vehicle may write its EEPROM before it answers a request
-constexpr Seconds kStale{0.025};        // a pause this long inside a frame means that its rest is lost
+constexpr Seconds kStale{
+    0.060};  // a pause this long inside a frame means that its rest is lost; a busy machine makes shorter ones
 constexpr std::size_t kMaxRequests = 32;
 constexpr unsigned kRequestTries = 3;
 
@@ -26,7 +27,9 @@ Channel::Channel(const ChannelConfig& config)
 void Channel::opened(Seconds now) {
   open_ = true;
   flight_.reset();
+  // Half a frame from before is nobody's fault.
   decoder_.flush([](const wire::Frame&) {});
+  told_ = decoder_.counters();
   for (Peer& peer : peers_) {
     peer.quietSince = now;
     peer.calls.reset(now);

@@ -36,8 +36,8 @@ enum class Task { None, Running, Paused, Stopped, Finished };
 enum class CommandStatus {
   Sent,
   Acknowledged,  ///< the vehicle took it
-  Done,          ///< Stop and Clear: the vehicle stands; Drive: replaced by a later acknowledged one
-  Expired,       ///< its time ran out before it was acknowledged or replaced
+  Done,          ///< Stop and Clear: taken, and the vehicle stands
+  Expired,       ///< a Drive whose time ran out before another one was sent
 };
 
 struct CommandView {

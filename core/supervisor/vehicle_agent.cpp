@@ -112,9 +112,9 @@ link::Wish VehicleAgent::decide(Seconds now, const ChannelTiming& timing, EventL
 }
 
 void VehicleAgent::follow(Seconds now, const ChannelTiming& timing, EventLog& log) {
-  predicted_ = drive::predict(state(), history_.commands(), timing.effectiveAt, ability_).pose;
-  if (task_ != Task::Running || !follower_ || contact_ != Contact::Connected || !last_) return;
   const drive::VehicleState expected = drive::predict(state(), history_.commands(), timing.effectiveAt, ability_);
+  predicted_ = expected.pose;
+  if (task_ != Task::Running || !follower_ || contact_ != Contact::Connected || !last_) return;
   decision_ = follower_->decide({expected, timing.cycle + kUnpredictedDelay}, now);
   if (decision_->phase != drive::Phase::Finished || abs(estimate_.speed) > kStanding) return;
   task_ = Task::Finished;

@@ -176,6 +176,33 @@ TEST(Channel, goesOnWorkingUnderGarbage) {
   EXPECT_TRUE(rig.connected());
 }
 
+TEST(Channel, saysNothingOfTheHalfFrameThatALostPortLeaves) {
+  ChannelRig rig{1};
+  rig.run(Seconds{2});
+  rig.air->inject({wire::kSync, 20, 0, 1}, rig.air->now + Seconds{0.001});
+  rig.run(Seconds{0.002});
+  rig.channel->closed();
+  rig.run(Seconds{1});
+  rig.channel->opened(rig.air->now);
+  rig.run(Seconds{2});
+  EXPECT_EQ(rig.count<Noise>(), 0U);
+  EXPECT_TRUE(rig.connected());
+}
+
+TEST(Channel, findsTheFrameBehindAFalseStart) {
+  ChannelRig rig{1};
+  rig.drive(1);
+  rig.run(Seconds{2});
+  const std::size_t before = rig.peer(1).quality.missed;
+  rig.air->tamper = [](FakeAir::Bytes b) {
+    b.insert(b.begin(), {wire::kSync, 49, 7, 7});  // announces more than follows
+    return b;
+  };
+  rig.run(Seconds{3});
+  EXPECT_EQ(rig.peer(1).quality.missed, before);
+  EXPECT_EQ(rig.count<Silent>(), 0U);
+}
+
 TEST(Channel, answersRequestsBetweenTheCycles) {
   ChannelRig rig{2};
   ASSERT_TRUE(rig.runUntil([&] { return rig.connected(); }, Seconds{2}));

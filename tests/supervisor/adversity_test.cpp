@@ -107,7 +107,7 @@ TEST_F(Adversity, aRefusedCommandIsToldByTheVehicleOnce) {
   rig.run(Seconds{2});
   rig.vehicle(1).fake.report.faults = 0;
   rig.run(Seconds{7});
-  expectEpisode(EventKind::Fault, "AGV 1 refused a command that it had seen before");
+  expectEpisode(EventKind::ReplayedFrames, "AGV 1 refused a command that it had seen before");
 }
 
 TEST_F(Adversity, aFaultedVehicleGoesOnAfterClear) {
