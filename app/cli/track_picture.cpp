@@ -59,7 +59,7 @@ std::string sentenceOf(const experiment::Outcome& outcome) {
   char text[320];
   std::snprintf(text, sizeof text,
                 "%s %s route %s in %.1f s: position error %.2f cm mean, %.2f cm p95; cross-track %.2f cm RMS, "
-                "%.2f cm at most; %d reversals; mean speed %.0f %% of what was asked, away from corners.",
+                "%.2f cm at most; turned back %d times; mean speed %.0f %% of what was asked, away from corners.",
                 outcome.name.c_str(), outcome.finished ? "finished" : "did not finish",
                 outcome.assignment.route.c_str(), m.duration.value(), 100 * m.positionErrorMean.value(),
                 100 * m.positionErrorP95.value(), 100 * m.crossTrackRms.value(), 100 * m.crossTrackMax.value(),

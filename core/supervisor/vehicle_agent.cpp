@@ -115,7 +115,8 @@ void VehicleAgent::follow(Seconds now, const ChannelTiming& timing, EventLog& lo
   const drive::VehicleState expected = drive::predict(state(), history_.commands(), timing.effectiveAt, ability_);
   predicted_ = expected.pose;
   if (task_ != Task::Running || !follower_ || contact_ != Contact::Connected || !last_) return;
-  decision_ = follower_->decide({expected, timing.cycle + kUnpredictedDelay}, now);
+  const drive::VehicleState& given = follower_->wantsPrediction() ? expected : state();
+  decision_ = follower_->decide({given, timing.cycle + kUnpredictedDelay}, now);
   if (decision_->phase != drive::Phase::Finished || abs(estimate_.speed) > kStanding) return;
   task_ = Task::Finished;
   log.tell(Severity::Info, EventKind::RouteFinished, id(),
