@@ -1,0 +1,74 @@
+// The small parts of a vehicle's agent.
+#include <gtest/gtest.h>
+
+#include "supervisor/command_history.h"
+#include "supervisor/episode.h"
+#include "supervisor/odometer.h"
+
+namespace tessera::supervisor {
+namespace {
+
+TEST(Odometer, unwrapsBothWays) {
+  Odometer odometer;
+  EXPECT_EQ(odometer.add(65000), Metres{0.0});
+  EXPECT_NEAR(odometer.add(464).value(), 1.0, 1e-9);
+  EXPECT_NEAR(odometer.add(64536).value(), -0.464, 1e-9);
+}
+
+TEST(Odometer, keepsTheWayWhenTheVehicleCountsAnew) {
+  Odometer odometer;
+  (void)odometer.add(0);
+  (void)odometer.add(5000);
+  odometer.restart();
+  EXPECT_NEAR(odometer.add(0).value(), 5.0, 1e-9);
+  EXPECT_NEAR(odometer.add(200).value(), 5.2, 1e-9);
+}
+
+TEST(CommandHistory, letsALaterCommandTakeOver) {
+  CommandHistory history;
+  history.drive({MetresPerSecond{0.1}, {}}, Seconds{1.0}, Seconds{0.5});
+  history.drive({MetresPerSecond{0.2}, {}}, Seconds{1.2}, Seconds{0.5});
+  ASSERT_EQ(history.commands().size(), 2U);
+  EXPECT_EQ(history.commands()[0].until, Seconds{1.2});
+  EXPECT_EQ(history.commands()[1].until, Seconds{1.7});
+}
+
+TEST(CommandHistory, endsACommandWithAStopButProlongsNone) {
+  CommandHistory history;
+  history.drive({MetresPerSecond{0.1}, {}}, Seconds{1.0}, Seconds{0.5});
+  history.stand(Seconds{3.0});
+  EXPECT_EQ(history.commands()[0].until, Seconds{1.5});
+  history.stand(Seconds{1.1});
+  EXPECT_EQ(history.commands()[0].until, Seconds{1.1});
+}
+
+TEST(CommandHistory, staysSortedWhenTheLatencyIsMeasuredAnew) {
+  CommandHistory history;
+  history.drive({MetresPerSecond{0.1}, {}}, Seconds{1.0}, Seconds{0.5});
+  history.drive({MetresPerSecond{0.2}, {}}, Seconds{0.9}, Seconds{0.5});
+  ASSERT_EQ(history.commands().size(), 1U);
+  EXPECT_EQ(history.commands()[0].command.speed, MetresPerSecond{0.2});
+}
+
+TEST(CommandHistory, doesNotGrowWithoutEnd) {
+  CommandHistory history;
+  for (int i = 0; i < 100000; ++i) history.drive({}, Seconds{0.1 * i}, Seconds{0.4});
+  EXPECT_LT(history.commands().size(), 100U);
+}
+
+TEST(Episode, beginsOnceAndEndsOnceAfterItsQuiet) {
+  using Change = Episode::Change;
+  Episode episode{Seconds{5.0}};
+  EXPECT_EQ(episode.update(false, Seconds{0}), Change::None);
+  EXPECT_EQ(episode.seen(Seconds{1}, 2), Change::Begins);
+  EXPECT_EQ(episode.seen(Seconds{2}), Change::None);
+  EXPECT_EQ(episode.update(false, Seconds{6.9}), Change::None);
+  EXPECT_EQ(episode.update(false, Seconds{7.0}), Change::Ends);
+  EXPECT_EQ(episode.count(), 3U);
+  EXPECT_EQ(episode.update(false, Seconds{20}), Change::None);
+  EXPECT_EQ(episode.seen(Seconds{21}), Change::Begins);
+  EXPECT_EQ(episode.count(), 1U);
+}
+
+}  // namespace
+}  // namespace tessera::supervisor
