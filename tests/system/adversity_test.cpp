@@ -1,0 +1,152 @@
+// What goes wrong on a shop floor, through real programs and a real serial port: the world is a process, the supervisor
+// a thread with Qt's port. This file makes two programs: vehicles compiled for this machine, and emulated ones.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include "system/supervision.h"
+#include "system/wire_host.h"
+#include "system/world.h"
+
+namespace tessera::system_test {
+namespace {
+
+using supervisor::EventKind;
+
+const std::string kPaper = TESSERA_SITES "/paper.tessera.json";
+constexpr MetresPerSecond kSpeed{0.2};
+// The longest expiry that the supervisor gives at this air rate, the way of the last command through the air, and the
+// time to brake.
+constexpr Seconds kStandsWithin{1.6};
+
+class Adversity : public ::testing::Test {
+protected:
+  void begin(const std::vector<std::string>& further = {}) {
+    std::vector<std::string> words{"--kind", TESSERA_KIND};
+    words.insert(words.end(), further.begin(), further.end());
+    world = std::make_unique<World>(folder, kPaper, words);
+    ASSERT_NE(world->port(), "") << world->program().errors();
+  }
+  void drive() {
+    begin();
+    supervision = std::make_unique<Supervision>(kPaper, world->port());
+    ASSERT_TRUE(supervision->drive(kSpeed, Metres{0.2})) << supervision->sentences();
+  }
+  void expectStandstill(Seconds since) {
+    const Seconds moved = world->movedOnFor(since);
+    EXPECT_LT(moved, kStandsWithin) << "moved on for " << moved.value() << " s\n" << supervision->sentences();
+  }
+  void expectSentence(EventKind kind, bool over = false) {
+    EXPECT_TRUE(supervision->hears(kind, over)) << supervisor::nameOf(kind) << (over ? " over" : "") << " is not in\n"
+                                                << supervision->sentences();
+  }
+  // By itself: nobody orders anything again.
+  void expectItGoesOn() {
+    const Point from = world->where();
+    EXPECT_TRUE(supervision->until([&] { return distance(world->where(), from) > Metres{0.25}; }))
+        << supervision->sentences();
+    EXPECT_TRUE(supervision->connected());
+  }
+
+  QTemporaryDir folder;
+  std::unique_ptr<World> world;
+  std::unique_ptr<Supervision> supervision;
+};
+
+TEST_F(Adversity, aPulledPortStopsTheVehicleAndAReplacedOneLetsItGoOn) {
+  ASSERT_NO_FATAL_FAILURE(drive());
+  const Seconds pulled = host::steadyNow();
+  ASSERT_TRUE(world->order("pull")) << world->answer();
+  expectSentence(EventKind::PortLost);
+  EXPECT_EQ(supervision->port(), supervisor::PortState::Lost);
+  expectStandstill(pulled);
+  ASSERT_TRUE(world->order("plug")) << world->answer();
+  expectSentence(EventKind::PortLost, true);
+  expectItGoesOn();
+  EXPECT_EQ(supervision->told(EventKind::PortLost), 1) << supervision->sentences();
+}
+
+TEST_F(Adversity, aDeadVehicleIsCalledSilentAndGoesOnWhenItIsStartedAgain) {
+  ASSERT_NO_FATAL_FAILURE(drive());
+  const Seconds killed = host::steadyNow();
+  ASSERT_TRUE(world->order("kill 1")) << world->answer();
+  expectSentence(EventKind::Silent);
+  expectStandstill(killed);
+  ASSERT_TRUE(world->order("start 1")) << world->answer();
+  expectSentence(EventKind::Silent, true);
+  expectItGoesOn();
+  EXPECT_GT(supervision->told(EventKind::Restarted), 0) << supervision->sentences();
+}
+
+TEST_F(Adversity, noiseDamageAndReplaysAreToldAndTheDriveGoesOn) {
+  ASSERT_NO_FATAL_FAILURE(drive());
+  ASSERT_TRUE(world->order("noise 500")) << world->answer();
+  ASSERT_TRUE(world->order("corrupt 10")) << world->answer();
+  expectSentence(EventKind::DamagedFrames);
+  // What is repeated may collide with what is said: until one came through.
+  EXPECT_TRUE(supervision->until([&] {
+    return world->order("replay 2") &&
+           supervision->told(EventKind::ReplayedFrames) + supervision->told(EventKind::Fault) > 0;
+  })) << supervision->sentences();
+  EXPECT_THAT(supervision->sentences(), testing::HasSubstr("old frames"));
+  expectItGoesOn();
+}
+
+TEST_F(Adversity, aRestartedVehicleCountsItsStartsOverPowerCutsAndRefusesWhatWasSaidBefore) {
+  ASSERT_NO_FATAL_FAILURE(begin({"--loss", "0"}));
+  const auto site = Supervision::mapOf(kPaper);
+  std::uint32_t boot = 0;
+  std::vector<std::uint8_t> old;
+  {
+    WireHost host{world->port(), site->site().vehicles.front()};
+    const auto first = host.call();
+    ASSERT_TRUE(first);
+    old = host.command(wire::CommandMode::Drive, 150);
+    host.say(old);
+    ASSERT_TRUE(host.report());
+    host.say(host.command(wire::CommandMode::Poll));
+    auto report = host.report();
+    ASSERT_TRUE(report);
+    EXPECT_NE(report->state, wire::VehicleState::Standing) << "the command was a real one";
+    ASSERT_TRUE(world->order("kill 1") && world->order("start 1"));
+    const auto second = host.call();
+    ASSERT_TRUE(second);
+    EXPECT_EQ(second->boot, first->boot + 1);
+    host.say(host.command(wire::CommandMode::Poll));
+    ASSERT_TRUE(host.report());
+    host.say(old);  // must stay without answer: a report would have the next number, and the next one fail
+    host.say(host.command(wire::CommandMode::Poll));
+    report = host.report();
+    ASSERT_TRUE(report);
+    EXPECT_EQ(report->state, wire::VehicleState::Standing);
+    EXPECT_NE(report->faults & (wire::kFaultForged | wire::kFaultReplayed), 0);
+    boot = second->boot;
+  }
+  ASSERT_TRUE(world->order("quit"));
+  EXPECT_EQ(world->program().exitCode(), 0);
+  ASSERT_NO_FATAL_FAILURE(begin({"--loss", "0"}));
+  WireHost host{world->port(), site->site().vehicles.front()};
+  const auto third = host.call();
+  ASSERT_TRUE(third);
+  EXPECT_EQ(third->boot, boot + 1) << "kept over the end of the world";
+}
+
+#ifdef TESSERA_EMULATED
+TEST_F(Adversity, aVehicleWhoseEmulatorIsShotIsCalledSilentAndGoesOnWhenItIsStartedAgain) {
+  ASSERT_NO_FATAL_FAILURE(drive());
+  const int emulator = world->emulatorId();
+  ASSERT_GT(emulator, 0);
+  const Seconds shot = host::steadyNow();
+  ASSERT_EQ(::kill(emulator, SIGKILL), 0);
+  expectSentence(EventKind::Silent);
+  expectStandstill(shot);
+  EXPECT_TRUE(world->program().complains("vehicle 1 ended by itself")) << world->program().errors();
+  EXPECT_EQ(world->emulatorId(), 0);
+  ASSERT_TRUE(world->order("start 1")) << world->answer();
+  expectSentence(EventKind::Silent, true);
+  expectItGoesOn();
+}
+#endif
+
+}  // namespace
+}  // namespace tessera::system_test
