@@ -81,8 +81,7 @@ void addDrive(CLI::App& app, Run& run) {
       ->check(CLI::Range(0.01, 2.0))
       ->capture_default_str();
   command->add_option("--limit", words->limit, "Give up after so many seconds; default: three times the drive, and 60");
-  command->add_option("--estimator", words->estimator, "Locator by name; default: the best");
-  command->add_option("--controller", words->controller, "Controller by name; default: the best");
+  addMethods(*command, words->estimator, words->controller);
   command->add_flag("--json", words->json, "Print the result as JSON");
   command->add_flag("--quiet", words->quiet, "No progress");
   command->callback([words, &run] { run = [words] { return drive(*words); }; });

@@ -189,8 +189,7 @@ void addExperiment(CLI::App& app, Run& run) {
       ->capture_default_str();
   command->add_option("--firmware", words->world.firmware, "ELF for --vehicle qemu; default: beside this program");
   command->add_option("--out", words->out, "Folder for the results")->capture_default_str();
-  command->add_option("--estimator", words->estimator, "Locator by name; default: the best");
-  command->add_option("--controller", words->controller, "Controller by name; default: the best");
+  addMethods(*command, words->estimator, words->controller);
   command->add_option("--limit", words->limit, "Give up after so many seconds; default: three times the drive, and 60");
   command->add_flag("--lockstep", words->lockstep,
                     "Virtual time in one process, without a port: faster, and the same each time (native only)");

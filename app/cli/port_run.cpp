@@ -4,6 +4,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <QEventLoop>
 #include <QRandomGenerator>
 #include <QSocketNotifier>
@@ -14,7 +15,9 @@
 
 #include "app/cli/output.h"
 #include "base/polyline.h"
+#include "drive/route_follower.h"
 #include "host/supervisor_thread.h"
+#include "locate/locator.h"
 
 namespace tessera::cli {
 namespace {
@@ -147,6 +150,16 @@ Result<experiment::Assignment> parseAssignment(const std::string& word, const fl
     return failure("The site " + map.site().name + " has no route called \"" + assignment.route + "\".");
   }
   return assignment;
+}
+
+void addMethods(CLI::App& command, std::string& estimator, std::string& controller) {
+  const auto oneOf = [](std::span<const std::string_view> names) {
+    return CLI::IsMember{std::vector<std::string>(names.begin(), names.end())};
+  };
+  command.add_option("--estimator", estimator, "Locator; default: the first of these")
+      ->check(oneOf(locate::locatorNames()));
+  command.add_option("--controller", controller, "Controller; default: the first of these")
+      ->check(oneOf(drive::followerNames()));
 }
 
 }  // namespace tessera::cli

@@ -2,6 +2,7 @@
 // time is up, or somebody presses Ctrl-C. Vehicles are stopped before it returns.
 #pragma once
 
+#include <CLI/App.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,5 +37,8 @@ enum class RunEnd { Finished, TimeUp, Interrupted };
 
 /// "ID=ROUTE" as given on the command line. Error: the word, and what is wrong with it on this site.
 [[nodiscard]] Result<experiment::Assignment> parseAssignment(const std::string& word, const floor::SiteMap& map);
+
+/// --estimator and --controller, each one of the names that there are; empty where not given.
+void addMethods(CLI::App& command, std::string& estimator, std::string& controller);
 
 }  // namespace tessera::cli

@@ -34,6 +34,7 @@ protected:
   }
   void expectStandstill(Seconds since) {
     const Seconds moved = world->movedOnFor(since);
+    RecordProperty("moved_on_for_s", std::to_string(moved.value()));
     EXPECT_LT(moved, kStandsWithin) << "moved on for " << moved.value() << " s\n" << supervision->sentences();
   }
   void expectSentence(EventKind kind, bool over = false) {

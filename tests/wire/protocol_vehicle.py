@@ -9,7 +9,7 @@ port, me, key = os.open(sys.argv[1], os.O_RDWR | os.O_NOCTTY), int(sys.argv[2]),
 bearing, start = round(float(sys.argv[4]) / 360 * 65536) % 65536, time.monotonic()
 tags = [({8: 1, 14: 2, 20: 3}[len(uid)] << 4 | int(reader), bytes.fromhex(uid)) for reader, uid in (t.split(":") for t in sys.argv[5:])]
 boot, hellos, sent, running, prepared = int.from_bytes(os.urandom(4), "little") | 1 << 31, 0, 0, None, None
-first, told, buffer = 0, 0, b""  # events before `first` are acknowledged, those before `told` were reported
+first, told, began, buffer = 0, 0, start, b""  # events before `first` are acknowledged, those before `told` were reported
 if os.isatty(port):
     tty.setraw(port, termios.TCSANOW)
 
@@ -24,12 +24,12 @@ def send(k, counter, kind, body):
 
 
 def accepted(low, to, kind, body, tag):
-    global running, prepared, sent, first, told
+    global running, prepared, sent, first, told, began
     for s in filter(None, (running, prepared)):
         c = (s["last"] & 0xFFFF0000 | low) + (0x10000 if s["last"] & 0xFFFF >= low else 0)
         if hmac.compare_digest(mac(s["key"], c, to, 0, kind, body), tag):
             if s is prepared:
-                prepared, sent, first, told = None, 0, 0, 0
+                prepared, sent, first, told, began = None, 0, 0, 0, time.monotonic()
             running, s["last"], sent = s, c, sent + 1
             return True
 
@@ -53,7 +53,7 @@ def take(to, sender, kind, low, payload, at):
             first = entry[7] if first <= entry[7] <= told else first
             told = min(len(tags), first + 2)
             now = time.monotonic()
-            age = min(255, int((now - start) * 100))
+            age = min(255, int((now - began) * 100))  # it stands: the tags were read when the session began
             send(running["key"], sent, 0x82, struct.pack(
                 "<HBHHHhHHBBBB", low, 0, 0, int((now - start) * 1000) & 0xFFFF, int((now - at) * 1000), 0, 0, bearing,
                 120, 255, 7, first) + b"".join(bytes([head, age]) + uid for head, uid in tags[first:told]))
