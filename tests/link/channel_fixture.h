@@ -37,7 +37,7 @@ public:
     host.poll = [this](Seconds t) {
       auto out = channel->poll(t);
       for (auto& e : out.events) events.push_back(std::move(e));
-      return std::pair{out.bytes, out.wake};
+      return std::pair{out.bytes, std::min(out.wake, t + askEvery)};
     };
     channel->opened(air->now);
   }
@@ -74,6 +74,7 @@ public:
   std::unique_ptr<link::Channel> channel;
   std::unique_ptr<FakeAir> air;
   FakeAir::Host host;
+  Seconds askEvery{link::kNever};  ///< polls more often than the channel asks for
   std::vector<link::LinkEvent> events;
 };
 
