@@ -19,10 +19,10 @@ constexpr MetresPerSecond kSpeed{0.2};
 // time to brake.
 constexpr Seconds kStandsWithin{1.6};
 
-class Adversity : public ::testing::Test {
+class Adversity : public ::testing::TestWithParam<std::string> {
 protected:
   void begin(const std::vector<std::string>& further = {}) {
-    std::vector<std::string> words{"--kind", TESSERA_KIND};
+    std::vector<std::string> words{"--kind", GetParam()};
     words.insert(words.end(), further.begin(), further.end());
     world = std::make_unique<World>(folder, kPaper, words);
     ASSERT_NE(world->port(), "") << world->program().errors();
@@ -54,7 +54,7 @@ protected:
   std::unique_ptr<Supervision> supervision;
 };
 
-TEST_F(Adversity, aPulledPortStopsTheVehicleAndAReplacedOneLetsItGoOn) {
+TEST_P(Adversity, aPulledPortStopsTheVehicleAndAReplacedOneLetsItGoOn) {
   ASSERT_NO_FATAL_FAILURE(drive());
   const Seconds pulled = host::steadyNow();
   ASSERT_TRUE(world->order("pull")) << world->answer();
@@ -67,7 +67,7 @@ TEST_F(Adversity, aPulledPortStopsTheVehicleAndAReplacedOneLetsItGoOn) {
   EXPECT_EQ(supervision->told(EventKind::PortLost), 1) << supervision->sentences();
 }
 
-TEST_F(Adversity, aDeadVehicleIsCalledSilentAndGoesOnWhenItIsStartedAgain) {
+TEST_P(Adversity, aDeadVehicleIsCalledSilentAndGoesOnWhenItIsStartedAgain) {
   ASSERT_NO_FATAL_FAILURE(drive());
   const Seconds killed = host::steadyNow();
   ASSERT_TRUE(world->order("kill 1")) << world->answer();
@@ -79,7 +79,7 @@ TEST_F(Adversity, aDeadVehicleIsCalledSilentAndGoesOnWhenItIsStartedAgain) {
   EXPECT_GT(supervision->told(EventKind::Restarted), 0) << supervision->sentences();
 }
 
-TEST_F(Adversity, noiseDamageAndReplaysAreToldAndTheDriveGoesOn) {
+TEST_P(Adversity, noiseDamageAndReplaysAreToldAndTheDriveGoesOn) {
   ASSERT_NO_FATAL_FAILURE(drive());
   ASSERT_TRUE(world->order("noise 500")) << world->answer();
   ASSERT_TRUE(world->order("corrupt 10")) << world->answer();
@@ -93,7 +93,7 @@ TEST_F(Adversity, noiseDamageAndReplaysAreToldAndTheDriveGoesOn) {
   expectItGoesOn();
 }
 
-TEST_F(Adversity, aRestartedVehicleCountsItsStartsOverPowerCutsAndRefusesWhatWasSaidBefore) {
+TEST_P(Adversity, aRestartedVehicleCountsItsStartsOverPowerCutsAndRefusesWhatWasSaidBefore) {
   ASSERT_NO_FATAL_FAILURE(begin({"--loss", "0"}));
   const auto site = Supervision::mapOf(kPaper);
   std::uint32_t boot = 0;
@@ -133,7 +133,7 @@ TEST_F(Adversity, aRestartedVehicleCountsItsStartsOverPowerCutsAndRefusesWhatWas
 }
 
 #ifdef TESSERA_EMULATED
-TEST_F(Adversity, aVehicleWhoseEmulatorIsShotIsCalledSilentAndGoesOnWhenItIsStartedAgain) {
+TEST_P(Adversity, aVehicleWhoseEmulatorIsShotIsCalledSilentAndGoesOnWhenItIsStartedAgain) {
   ASSERT_NO_FATAL_FAILURE(drive());
   const int emulator = world->emulatorId();
   ASSERT_GT(emulator, 0);
@@ -148,6 +148,9 @@ TEST_F(Adversity, aVehicleWhoseEmulatorIsShotIsCalledSilentAndGoesOnWhenItIsStar
   expectItGoesOn();
 }
 #endif
+
+INSTANTIATE_TEST_SUITE_P(OfVehicles, Adversity, ::testing::Values(TESSERA_KIND),
+                         [](const auto& tried) { return tried.param; });
 
 }  // namespace
 }  // namespace tessera::system_test

@@ -20,12 +20,14 @@ std::vector<std::string> linesOf(const std::string& file) {
   return lines;
 }
 
-TEST(AnExperimentThroughThePort, leavesItsFiguresItsTrackAndItsPicture) {
+class AnExperimentThroughThePort : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(AnExperimentThroughThePort, leavesItsFiguresItsTrackAndItsPicture) {
   const QTemporaryDir folder;
   const std::string out = folder.path().toStdString() + "/results";
   Program cli{TESSERA_CLI,
               {"experiment", TESSERA_SYSTEM_TEST "/corner.tessera.json", "--route", "corner", "--speed", "0.2",
-               "--vehicle", TESSERA_KIND, "--json", "--out", out}};
+               "--vehicle", GetParam(), "--json", "--out", out}};
   ASSERT_EQ(cli.exitCode(), 0) << cli.errors();
   EXPECT_EQ(cli.errors(), "") << "--json says nothing beside its result";
 
@@ -45,7 +47,7 @@ TEST(AnExperimentThroughThePort, leavesItsFiguresItsTrackAndItsPicture) {
   EXPECT_LT(summary["cross_track_rms_m"], 0.05);
   EXPECT_LE(summary["cross_track_rms_m"], summary["cross_track_max_m"]);
   EXPECT_GT(summary["duration_s"], 1.0 / 0.2) << "it is no faster than asked";
-  EXPECT_EQ(summary["options"]["vehicle"], TESSERA_KIND);
+  EXPECT_EQ(summary["options"]["vehicle"], GetParam());
 
   const auto rows = linesOf(out + "/track.csv");
   ASSERT_GT(rows.size(), 20U);
@@ -59,6 +61,9 @@ TEST(AnExperimentThroughThePort, leavesItsFiguresItsTrackAndItsPicture) {
   EXPECT_GE(picture.width(), 600);
   EXPECT_GE(picture.height(), 400);
 }
+
+INSTANTIATE_TEST_SUITE_P(OfVehicles, AnExperimentThroughThePort, ::testing::Values(TESSERA_KIND),
+                         [](const auto& tried) { return tried.param; });
 
 }  // namespace
 }  // namespace tessera::system_test
