@@ -13,7 +13,7 @@ namespace tessera::locate {
 struct KalmanOptions {
   double startSigma = 0.05;         ///< m, of a start pose
   double biasSigma = 0.07;          ///< rad, of the compass bias at the start
-  double biasPerRootMetre = 0.02;   ///< rad/√m: the floor's magnetic field changes from place to place
+  double biasPerRootMetre = 0.10;   ///< rad/√m: the floor's magnetic field changes from place to place
   double biasPerTurn = 0.02;        ///< rad per rad: what is left of soft iron changes with the heading
   double headingNoise = 0.02;       ///< rad, of one reported heading
   double scaleSigma = 0.06;         ///< share, of the odometer's scale (wheel wear, slip), standing long
