@@ -25,7 +25,7 @@ target_compile_options(tessera_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual -Wundef -Werror)
 # GCC 12 takes "text" + std::string for overlapping memory at -O3 (its bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  target_compile_options(tessera_options INTERFACE -Wno-restrict)
+  target_compile_options(tessera_options INTERFACE $<$<CONFIG:Release>:-Wno-restrict>)
 endif()
 
 # tessera_library(NAME SOURCES ... [DEPS ...] [LIBS ...])
