@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Runs the reference experiment over speeds and seeds and prints the table of docs/experiments.md.
+"""Runs an experiment over speeds and seeds and prints a table of docs/experiments.md.
 
 Every run is one call of `tessera-cli experiment`; its folder keeps summary.json, track.csv and track.png.
-Runs go side by side as far as --jobs allows: a run waits for its radio most of the time.
+Runs go side by side as far as --jobs allows. Ends with 1 when a run gave no figures or did not finish.
 """
 import argparse
 import concurrent.futures
@@ -15,62 +15,101 @@ import subprocess
 import sys
 
 
+def cpu_model():
+    for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines() if os.path.exists("/proc/cpuinfo") else []:
+        if line.startswith("model name"):
+            return line.split(":", 1)[1].strip()
+    return platform.processor() or platform.machine()
+
+
 def run(arguments, speed, seed):
     out = arguments.out / f"{arguments.vehicle}-{speed:g}-{seed}"
-    command = [str(arguments.cli), "experiment", str(arguments.site), "--route", arguments.route, "--speed", f"{speed:g}",
+    summary = out / "summary.json"
+    summary.unlink(missing_ok=True)  # an earlier run's figures are not this one's
+    routes = [word for drive in arguments.drive for word in ("--drive", drive)] or ["--route", arguments.route]
+    command = [str(arguments.cli), "experiment", str(arguments.site), *routes, "--speed", f"{speed:g}",
                "--vehicle", arguments.vehicle, "--seed", str(seed), "--out", str(out), "--quiet", *arguments.extra]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
-    summary = out / "summary.json"
     if not summary.exists():
         return {"error": (done.stderr or done.stdout).strip()}
     return json.loads(summary.read_text())
 
 
-def row(speed, results):
-    good = [r["vehicles"][0] for r in results if "error" not in r]
+def row(speed, name, results):
+    """One line of the table: a vehicle at one speed, over its seeds. results: its figures, None where a run gave none."""
+    good = [figures for figures in results if figures is not None]
+    head = f"| {speed:.2f} |" + (f" {name} |" if name else "")
     if not good:
-        return f"| {speed:.2f} | 0/{len(results)} | – | – | – | – | – | – | – |"
+        return f"{head} 0/{len(results)} |" + " – |" * 7
 
     def centimetres(name, pick):
         return f"{100 * pick(v[name] for v in good):.2f}"
 
-    mean = lambda values: statistics.fmean(values)  # noqa: E731
-    return (f"| {speed:.2f} | {sum(v['finished'] for v in good)}/{len(results)} "
-            f"| {centimetres('position_error_mean_m', mean)} | {centimetres('position_error_mean_m', max)} "
+    return (f"{head} {sum(v['finished'] for v in good)}/{len(results)} "
+            f"| {centimetres('position_error_mean_m', statistics.fmean)} | {centimetres('position_error_mean_m', max)} "
             f"| {centimetres('position_error_p95_m', max)} "
-            f"| {centimetres('cross_track_rms_m', mean)} | {centimetres('cross_track_rms_m', max)} "
+            f"| {centimetres('cross_track_rms_m', statistics.fmean)} | {centimetres('cross_track_rms_m', max)} "
             f"| {sum(v['reversals'] for v in good)} | {min(v['mean_speed_ratio'] for v in good):.2f} |")
 
 
-def main():
+def print_table(arguments, results):
+    several = len(arguments.drive) > 1
+    print("| m/s |" + (" vehicle |" if several else "") + " finished | position error mean, cm | worst seed |"
+          " p95, worst seed | cross-track RMS, cm | worst seed | reversals | mean speed ratio, worst seed |")
+    print("| --- " * (10 if several else 9) + "|")
+    for speed in arguments.speeds:
+        of_speed = [results[(speed, seed)] for seed in range(1, arguments.seeds + 1)]
+        for i in range(max(1, len(arguments.drive))):
+            name = arguments.drive[i].split("=")[0] if several else ""
+            print(row(speed, name, [r["vehicles"][i] if "vehicles" in r else None for r in of_speed]))
+    channels = [r["channel"] for r in results.values() if "channel" in r]
+    if channels:
+        mean = {name: statistics.fmean(c[name] for c in channels) for name in channels[0]}
+        print(f"\nAt the runs' ends, on average: {1000 * mean['cycle_s']:.0f} ms between two commands to a vehicle, answer"
+              f" slots of {1000 * mean['slot_s']:.0f} ms, time on air {mean['air_factor']:.2f} times the formula's.")
+
+
+def parse():
     root = pathlib.Path(__file__).resolve().parent.parent
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--cli", type=pathlib.Path, default=root / "build/bin/tessera-cli")
     parser.add_argument("--site", type=pathlib.Path, default=root / "resources/sites/paper.tessera.json")
-    parser.add_argument("--route", default="paper")
+    parser.add_argument("--route", default="paper", help="route of the site's first vehicle")
+    parser.add_argument("--drive", action="append", default=[], metavar="ID=ROUTE",
+                        help="a vehicle and its route, instead of --route; may be repeated")
     parser.add_argument("--vehicle", choices=["qemu", "native"], default="qemu")
     parser.add_argument("--speeds", type=float, nargs="+", default=[0.05, 0.08, 0.12, 0.20], metavar="M_PER_S")
     parser.add_argument("--seeds", type=int, default=5, help="seeds 1 to this many")
-    parser.add_argument("--jobs", type=int, default=4, help="runs side by side")
+    parser.add_argument("--jobs", type=int,
+                        help="runs side by side; default: as many as cores, one less where they are in real time")
     parser.add_argument("--out", type=pathlib.Path, default=root / "out/experiments")
+    parser.add_argument("--baseline", action="store_true", help="runs that do not finish are no failure, only a result")
     parser.add_argument("extra", nargs="*", help="further options of `tessera-cli experiment`, after --")
     arguments = parser.parse_args()
+    if arguments.jobs is None:
+        cores = os.cpu_count() or 1
+        arguments.jobs = cores if "--lockstep" in arguments.extra else max(1, cores - 1)
+    if arguments.jobs < 1 or arguments.seeds < 1:
+        parser.error("--jobs and --seeds begin at 1")
+    return arguments
 
+
+def main():
+    arguments = parse()
     cases = [(speed, seed) for speed in arguments.speeds for seed in range(1, arguments.seeds + 1)]
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         results = dict(zip(cases, pool.map(lambda case: run(arguments, *case), cases)))
 
-    print(f"Machine: {platform.machine()}, {os.cpu_count()} cores; vehicle {arguments.vehicle}; seeds 1 to {arguments.seeds};"
-          f" options: {' '.join(arguments.extra) or 'none'}\n")
-    print("| m/s | finished | position error mean, cm | worst seed | p95, worst seed | cross-track RMS, cm | worst seed"
-          " | reversals | mean speed ratio, worst seed |")
-    print("| --- | --- | --- | --- | --- | --- | --- | --- | --- |")
-    for speed in arguments.speeds:
-        print(row(speed, [results[(speed, seed)] for seed in range(1, arguments.seeds + 1)]))
-    failed = [(case, r["error"]) for case, r in results.items() if "error" in r]
-    for case, error in failed:
-        print(f"run {case} gave no summary: {error}", file=sys.stderr)
-    return 1 if failed else 0
+    print(f"Machine: {cpu_model()}, {os.cpu_count()} cores; {arguments.jobs} runs side by side; vehicle {arguments.vehicle};"
+          f" seeds 1 to {arguments.seeds}; options: {' '.join(arguments.extra) or 'none'}\n")
+    print_table(arguments, results)
+    missing = [(case, r["error"]) for case, r in results.items() if "error" in r]
+    for (speed, seed), error in missing:
+        print(f"The run at {speed:g} m/s with seed {seed} gave no summary: {error}", file=sys.stderr)
+    late = sum(not r["finished"] for r in results.values() if "error" not in r)
+    if late and not arguments.baseline:
+        print(f"{late} of {len(cases)} runs did not reach the end of their routes.", file=sys.stderr)
+    return 1 if missing or (late and not arguments.baseline) else 0
 
 
 if __name__ == "__main__":

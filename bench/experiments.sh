@@ -1,30 +1,56 @@
 #!/bin/bash
-# The tables of docs/experiments.md. usage: bench/experiments.sh FOLDER-OF-PROGRAMS [real|lockstep]
-# real: firmware in QEMU, in real time (about eight minutes); lockstep: native vehicles, virtual time (a minute).
+# The tables of docs/experiments.md; see --help.
 set -euo pipefail
-root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
-bin=$(readlink -f "${1:?usage: bench/experiments.sh FOLDER-OF-PROGRAMS [real|lockstep]}")
+
+usage() {
+  cat <<'TEXT'
+usage: bench/experiments.sh FOLDER-OF-PROGRAMS [real|lockstep]
+
+  real      firmware in QEMU, in real time: about a quarter of an hour
+  lockstep  native vehicles in virtual time: about two minutes
+Without a second word: both. Exit code 1 when runs did not finish, 2 for a wrong command line.
+TEXT
+}
+case ${1:-} in
+  -h | --help) usage; exit 0 ;;
+esac
 part=${2:-all}
-table() { python3 "$root/bench/experiments.py" --cli "$bin/tessera-cli" "$@"; }
+case $#:$part in
+  1:all | 2:real | 2:lockstep) ;;
+  *) usage >&2; exit 2 ;;
+esac
+root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
+bin=$(readlink -f "$1")
+[ -x "$bin/tessera-cli" ] || { printf 'experiments.sh: there is no tessera-cli in %s; ./dev build makes it\n' "$1" >&2; exit 2; }
+failed=0
+table() { python3 "$root/bench/experiments.py" --cli "$bin/tessera-cli" "$@" || failed=1; }
+three() {
+  table --site "$root/resources/sites/three.tessera.json" --drive 1=one --drive 2=two --drive 3=three --speeds 0.12 "$@"
+}
 
 if [ "$part" != lockstep ]; then
   printf '\n== Firmware in QEMU, through a pty, in real time\n'
-  table --vehicle qemu --seeds 5 --jobs 3 --out "$root/out/experiments/qemu"
+  table --vehicle qemu --seeds 5 --jobs 2 --out "$root/out/experiments/qemu"
+  printf '\n== Three vehicles on one channel, firmware in QEMU, through a pty, in real time\n'
+  three --vehicle qemu --seeds 1 --jobs 1 --out "$root/out/experiments/three-qemu"
 fi
 if [ "$part" != real ]; then
   printf '\n== Native vehicles, virtual time\n'
-  table --vehicle native --seeds 20 --jobs 2 --out "$root/out/experiments/native" -- --lockstep
+  table --vehicle native --seeds 20 --out "$root/out/experiments/native" -- --lockstep
   printf '\n== The same, the air as its data sheet says (k = 1)\n'
-  table --vehicle native --seeds 20 --jobs 2 --out "$root/out/experiments/air-1" -- --lockstep --air-factor 1
+  table --vehicle native --seeds 20 --out "$root/out/experiments/air-1" -- --lockstep --air-factor 1
   printf '\n== The same, the slowest air seen in the field (k = 3.2)\n'
-  table --vehicle native --seeds 20 --jobs 2 --out "$root/out/experiments/air-3.2" -- --lockstep --air-factor 3.2
+  table --vehicle native --seeds 20 --out "$root/out/experiments/air-3.2" -- --lockstep --air-factor 3.2
   printf '\n== The same, air rate 2.4 kbit/s as modules are delivered\n'
-  table --vehicle native --seeds 20 --jobs 2 --out "$root/out/experiments/air-2400" -- --lockstep --air-rate 2400
+  table --vehicle native --seeds 20 --out "$root/out/experiments/air-2400" -- --lockstep --air-rate 2400
   printf '\n== The same, one packet in five lost\n'
-  table --vehicle native --seeds 20 --jobs 2 --out "$root/out/experiments/loss" -- --lockstep --loss 0.2
+  table --vehicle native --seeds 20 --out "$root/out/experiments/loss" -- --lockstep --loss 0.2
   printf "\n== The publication's controller at 2.4 kbit/s: aims at the next control point, knows nothing of the delay\n"
-  table --vehicle native --seeds 20 --jobs 2 --out "$root/out/experiments/aimer" -- --lockstep --air-rate 2400 \
+  table --vehicle native --seeds 20 --baseline --out "$root/out/experiments/aimer" -- --lockstep --air-rate 2400 \
     --controller control-points --limit 600
   printf '\n== The locator of the publication, for comparison\n'
-  table --vehicle native --seeds 20 --jobs 2 --out "$root/out/experiments/tag-centre" -- --lockstep --estimator tag-centre
+  table --vehicle native --seeds 20 --baseline --out "$root/out/experiments/tag-centre" -- --lockstep --estimator tag-centre
+  printf '\n== Three vehicles on one channel\n'
+  three --vehicle native --seeds 5 --out "$root/out/experiments/three" -- --lockstep
 fi
+exit $failed
