@@ -13,7 +13,9 @@
 #include "app/experiment/summary.h"
 #include "app/world/make_world.h"
 #include "app/world/world_options.h"
+#include "drive/route_follower.h"
 #include "floor/site_json.h"
+#include "locate/locator.h"
 
 namespace tessera::cli {
 namespace {
@@ -106,18 +108,24 @@ Result<RunEnd> runThroughPty(const Plan& plan, const Words& words, experiment::R
   return end;
 }
 
+// The method that was asked for; by default the first there is.
+std::string nameOr(const std::string& asked, std::span<const std::string_view> names) {
+  return asked.empty() ? std::string{names.front()} : asked;
+}
+
 nlohmann::json optionsOf(const Words& words, const Plan& plan) {
   nlohmann::json options{{"site", words.world.site},
                          {"vehicle", words.kind},
                          {"speed_m_per_s", words.speed},
                          {"seed", words.world.seed},
                          {"lockstep", words.lockstep},
-                         {"estimator", words.estimator.empty() ? "default" : words.estimator},
-                         {"controller", words.controller.empty() ? "default" : words.controller},
+                         {"estimator", nameOr(words.estimator, locate::locatorNames())},
+                         {"controller", nameOr(words.controller, drive::followerNames())},
                          {"air_rate_bit_per_s", words.world.airRate.value_or(plan.map->site().radio.airRate)}};
-  std::vector<std::string> all = world::worldArguments(words.world);
-  std::erase_if(all, [&](const std::string& word) { return word == words.world.truth; });
-  options["world_arguments"] = all;
+  // Where the true poses were written says nothing about the run.
+  world::WorldOptions world = words.world;
+  world.truth.clear();
+  options["world_arguments"] = world::worldArguments(world);
   return options;
 }
 

@@ -10,6 +10,11 @@
 namespace tessera::cli {
 namespace {
 
+// "1 zone", "2 zones".
+std::string counted(std::size_t count, const std::string& thing) {
+  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
 int check(const std::string& file, bool asJson) {
   auto site = floor::loadSite(file);
   if (!site) return complain(site.error().sentence, kBadInput);
@@ -22,9 +27,9 @@ int check(const std::string& file, bool asJson) {
   if (asJson) {
     say(counts.dump(2));
   } else {
-    say(s.name + ": " + std::to_string(s.placements.size()) + " tiles laid, " + std::to_string((*map)->tags().size()) +
-        " tags registered, " + std::to_string(s.zones.size()) + " zones, " + std::to_string(s.routes.size()) +
-        " routes, " + std::to_string(s.vehicles.size()) + " vehicles.");
+    say(s.name + ": " + counted(s.placements.size(), "tile") + " laid, " + counted((*map)->tags().size(), "tag") +
+        " registered, " + counted(s.zones.size(), "zone") + ", " + counted(s.routes.size(), "route") + ", " +
+        counted(s.vehicles.size(), "vehicle") + ".");
   }
   return kDone;
 }

@@ -20,6 +20,7 @@ Recorder::Recorder(std::vector<Assignment> assignments)
     : assignments_{std::move(assignments)}, tracks_(assignments_.size()) {}
 
 void Recorder::take(const supervisor::Snapshot& snapshot) {
+  channel_ = snapshot.channel;
   progress_.clear();
   connected_ = 0;
   double done = 0;

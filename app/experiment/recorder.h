@@ -31,6 +31,8 @@ public:
   [[nodiscard]] bool finished(std::size_t assignment) const { return tracks_[assignment].finished; }
   [[nodiscard]] bool allFinished() const;
   [[nodiscard]] const std::vector<supervisor::Event>& events() const { return events_; }
+  /// The channel as the last snapshot showed it.
+  [[nodiscard]] const supervisor::ChannelView& channel() const { return channel_; }
   /// Every assigned vehicle has been identified and stands ready for orders.
   [[nodiscard]] bool allConnected() const { return connected_ == assignments_.size(); }
   /// "AGV 1 1.32 of 4.80 m, 3 cm beside the route", for a line of progress; one clause a vehicle.
@@ -49,6 +51,7 @@ private:
   std::vector<Assignment> assignments_;
   std::vector<Track> tracks_;
   std::vector<supervisor::Event> events_;
+  supervisor::ChannelView channel_;
   std::size_t connected_ = 0;
   std::string progress_;
   double share_ = 0;

@@ -39,6 +39,9 @@ nlohmann::json summarise(const nlohmann::json& options, const std::vector<Outcom
     summary["vehicles"].push_back(std::move(one));
   }
   summary["finished"] = finished;
+  const supervisor::ChannelView& channel = recorder.channel();
+  summary["channel"] = {
+      {"cycle_s", channel.cycle.value()}, {"slot_s", channel.slot.value()}, {"air_factor", channel.airFactor}};
   summary["events"] = nlohmann::json::array();
   for (const auto& event : recorder.events()) {
     summary["events"].push_back({{"time_s", event.time.value()},

@@ -26,7 +26,8 @@ struct Outcome {
 [[nodiscard]] std::vector<Outcome> judge(const floor::SiteMap& map, const Recorder& recorder,
                                          const std::vector<TruthTrack>& truths, MetresPerSecond asked);
 
-/// Options as they were in force, the figures of each vehicle (those of the first also at the top), and the events.
+/// Options as they were in force, the figures of each vehicle (those of the first also at the top), the channel as
+/// it was at the end, and the events.
 [[nodiscard]] nlohmann::json summarise(const nlohmann::json& options, const std::vector<Outcome>& outcomes,
                                        const Recorder& recorder);
 

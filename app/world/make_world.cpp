@@ -48,6 +48,7 @@ Result<void> writeImage(const std::string& path, const sim::EepromImage& image) 
 sim::BodyParameters bodyFor(const floor::VehicleSetup& setup, const WorldOptions& o) {
   sim::BodyParameters body = sim::bodyParametersFor(setup);
   if (o.poll) body.readers.pollPeriod = Seconds{*o.poll};
+  if (o.readTime) body.readers.readTime = Seconds{*o.readTime};
   if (o.detection) body.readers.detection = *o.detection;
   if (o.radius) body.readers.radius = Metres{*o.radius};
   if (o.slip) body.plant.slip = *o.slip;
@@ -163,8 +164,8 @@ private:
                                                      const std::string& path) {
 #ifdef TESSERA_WITH_QEMU_HOST
     const std::string elf = options_.firmware.empty() ? besideThisProgram("tessera-vehicle.elf") : options_.firmware;
-    if (!fs::exists(elf))
-      return failure("There is no firmware " + elf + ": build it (./dev build --qemu) or name it by --firmware.");
+    if (!fs::is_regular_file(elf))
+      return failure("There is no firmware " + elf + ": build it (./dev build) or name it by --firmware.");
     auto eeprom = image(setup, body, path);
     if (!eeprom) return tl::unexpected{eeprom.error()};
     sim::QemuConfig config;

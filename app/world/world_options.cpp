@@ -42,6 +42,9 @@ void addWorldConditions(CLI::App& app, WorldOptions& o) {
   app.add_option("--poll", o.poll, "Seconds between two attempts of an RFID reader (default 0.1)")
       ->group("World")
       ->check(CLI::Range{0.005, 10.0});
+  app.add_option("--read-time", o.readTime, "Seconds from a reader's asking the floor to its result (default 0.02)")
+      ->group("World")
+      ->check(CLI::Range{0.0, 0.2});
   app.add_option("--detection", o.detection, "Share of attempts that succeed over a tag (default 0.9)")
       ->group("World")
       ->check(probability);
@@ -79,7 +82,7 @@ void addWorldConditions(CLI::App& app, WorldOptions& o) {
 }
 
 void addWorldCast(CLI::App& app, WorldOptions& o) {
-  app.add_option("SITE", o.site, "Site file, *.tessera.json")->required()->check(CLI::ExistingFile);
+  app.add_option("SITE", o.site, "Site file, *.tessera.json")->required();
   app.add_option("--vehicle", o.vehicles,
                  "Address of a vehicle to put there; may be repeated (default: all of the site)")
       ->allow_extra_args(false)
@@ -88,8 +91,7 @@ void addWorldCast(CLI::App& app, WorldOptions& o) {
       ->transform(CLI::CheckedTransformer{kKinds, CLI::ignore_case}.description("{native,qemu}"))
       ->default_str("native");
   app.add_option("--firmware", o.firmware,
-                 "Firmware for --kind qemu (default: tessera-vehicle.elf beside this program)")
-      ->check(CLI::ExistingFile);
+                 "Firmware for --kind qemu (default: tessera-vehicle.elf beside this program)");
   app.add_option("--truth", o.truth, "File for the true poses, 50 rows a second for each vehicle (CSV)");
 }
 
@@ -117,6 +119,7 @@ std::vector<std::string> worldArguments(const WorldOptions& o) {
   number("--loss", o.loss);
   number("--delay", o.delay);
   maybe("--poll", o.poll);
+  maybe("--read-time", o.readTime);
   maybe("--detection", o.detection);
   maybe("--radius", o.radius);
   maybe("--slip", o.slip);

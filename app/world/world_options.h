@@ -27,6 +27,7 @@ struct WorldOptions {
   double loss = 0.02;
   double delay = 0.0;                  ///< s
   std::optional<double> poll;          ///< s
+  std::optional<double> readTime;      ///< s, 0 to 0.2
   std::optional<double> detection;     ///< 0 to 1
   std::optional<double> radius;        ///< m; the vehicle's setup where not given
   std::optional<double> slip;          ///< 0 to 0.5

@@ -21,7 +21,8 @@ enum class EventKind {
   WrongVersion,    ///< a vehicle speaks another version of the protocol
   Silent,          ///< a vehicle's answers stay away
   Restarted,       ///< a vehicle lost its session because it started anew
-  Located,         ///< its place became known; over: lost
+  Located,         ///< its place became known for the first time
+  Lost,            ///< its place is no longer known; over: it is again
   Fault,           ///< one of wire::Fault, named in the sentence
   Obstacle,        ///< stands before an obstacle
   Expired,         ///< stopped by itself because commands stopped coming

@@ -37,6 +37,8 @@ std::string_view nameOf(EventKind kind) {
       return "restarted";
     case EventKind::Located:
       return "located";
+    case EventKind::Lost:
+      return "lost";
     case EventKind::Fault:
       return "fault";
     case EventKind::Obstacle:

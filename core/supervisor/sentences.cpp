@@ -2,25 +2,27 @@
 
 #include <charconv>
 
+#include "supervisor/parameter_texts.h"
+
 namespace tessera::supervisor {
 namespace {
 
 std::string requestText(const wire::Request& request) {
-  const std::string number = std::to_string(request.parameter);
   switch (request.type) {
     case wire::MessageType::Get:
-      return "reading parameter " + number;
+      return "reading " + parameterName(request.parameter);
     case wire::MessageType::Set:
-      return "setting parameter " + number + " to " + std::to_string(request.value);
+      return "setting " + parameterName(request.parameter) + " to " + parameterValue(request.parameter, request.value);
     default:
-      return "action " + number;
+      return actionName(request.parameter);
   }
 }
 
-std::string outcomeText(const wire::Value& value) {
+std::string outcomeText(const wire::Request& request, const wire::Value& value) {
+  const bool ofParameter = request.type == wire::MessageType::Get || request.type == wire::MessageType::Set;
   switch (value.outcome) {
     case wire::Outcome::Done:
-      return "done, the value is " + std::to_string(value.value);
+      return ofParameter ? "done, the value is " + parameterValue(request.parameter, value.value) : "done";
     case wire::Outcome::Started:
       return "started";
     case wire::Outcome::Unknown:
@@ -54,8 +56,10 @@ const std::array<FaultText, 13>& faultTexts() {
       {wire::kFaultReader, false, kSoon, "gets no answer from one of its tag readers.",
        "hears all its tag readers again."},
       {wire::kFaultBattery, false, kSoon, "has a low battery.", "has enough battery again."},
-      {wire::kFaultEeprom, true, kSoon, "cannot read its settings and uses the factory's.",
-       "reads its settings again."},
+      {wire::kFaultEeprom, true, kSoon,
+       "cannot read or write its settings; what was set is lost at the next start. It stands, even when cleared, if it "
+       "could not read them.",
+       "reads and writes its settings again."},
       {wire::kFaultWatchdog, true, kSoon, "was restarted by its watchdog and stands until it is cleared.",
        "was cleared after its watchdog's restart."},
       {wire::kFaultRadio, false, kSoon, "has a radio module that does not take its parameters.",
@@ -67,7 +71,8 @@ const std::array<FaultText, 13>& faultTexts() {
        "gets no more replayed commands."},
       {wire::kFaultEventsLost, false, kFlicker, "dropped tag reads because they were not fetched in time.",
        "has its tag reads fetched in time again."},
-      {wire::kFaultRanger, false, kSoon, "gets no answer from one of its rangers.", "hears all its rangers again."},
+      {wire::kFaultRanger, false, kSoon, "gets no answer from one of its rangers and does not drive forwards.",
+       "hears all its rangers again."},
   }};
   return kTexts;
 }
@@ -75,7 +80,7 @@ const std::array<FaultText, 13>& faultTexts() {
 std::string answerSentence(const std::string& vehicle, const link::Answered& answered) {
   const std::string what = requestText(answered.request);
   if (!answered.value) return vehicle + " did not answer: " + what + " is not confirmed.";
-  return vehicle + ", " + what + ": " + outcomeText(*answered.value) + ".";
+  return vehicle + ", " + what + ": " + outcomeText(answered.request, *answered.value) + ".";
 }
 
 std::string_view causeText(wire::ResetCause cause) {

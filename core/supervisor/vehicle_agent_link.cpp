@@ -195,15 +195,17 @@ void VehicleAgent::watchPlace(EventLog& log) {
     log.tell(Severity::Info, EventKind::Located, id(), name_ + " is located.");
   } else if (everLocated_ && lost_.update(!estimate_.located, Seconds{0}) != Change::None) {
     if (lost_.active())
-      log.tell(Severity::Error, EventKind::Located, id(), name_ + " has lost its place and stands.", true);
+      log.tell(Severity::Error, EventKind::Lost, id(), name_ + " has lost its place and stands.");
     else
-      log.tell(Severity::Info, EventKind::Located, id(), name_ + " has found its place again.");
+      log.tell(Severity::Info, EventKind::Lost, id(), name_ + " has found its place again.", true);
   }
 }
 
 void VehicleAgent::watchState(Seconds now, EventLog& log) {
   const wire::Report& report = last_->report;
-  const Change obstacle = obstacle_.update(report.state == wire::VehicleState::Obstacle, now);
+  // A vehicle whose ranger does not answer stands in the same state without an obstacle: the fault tells of that.
+  const bool seen = obstacle_.active() || (report.faults & wire::kFaultRanger) == 0;
+  const Change obstacle = obstacle_.update(report.state == wire::VehicleState::Obstacle && seen, now);
   if (obstacle == Change::Begins)
     log.tell(Severity::Warning, EventKind::Obstacle, id(),
              name_ + " stands before an obstacle" +

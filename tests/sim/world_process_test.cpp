@@ -199,6 +199,12 @@ TEST(WorldProcess, tellsWrongCallsAndBadInputByExitCodeAndSentence) {
   Child wrongFile{{noSite}};
   EXPECT_THAT(wrongFile.line(), testing::HasSubstr(noSite));
   EXPECT_EQ(wrongFile.wait(), 3);
+  Child missingSite{{"/nonexistent.tessera.json"}};
+  EXPECT_THAT(missingSite.line(), testing::HasSubstr("/nonexistent.tessera.json"));
+  EXPECT_EQ(missingSite.wait(), 3);
+  Child missingFirmware{{kSite, "--kind", "qemu", "--firmware", "/nonexistent.elf"}};
+  EXPECT_THAT(missingFirmware.line(), testing::HasSubstr("/nonexistent.elf"));
+  EXPECT_EQ(missingFirmware.wait(), 3);
 }
 
 }  // namespace

@@ -49,6 +49,8 @@ TEST(WorldOptions, surviveTheWayThroughTheWordsOfACall) {
                                        "0.3",
                                        "--poll",
                                        "0.2",
+                                       "--read-time",
+                                       "0.15",
                                        "--detection",
                                        "0.8",
                                        "--radius",
@@ -76,6 +78,7 @@ TEST(WorldOptions, surviveTheWayThroughTheWordsOfACall) {
   EXPECT_EQ(once.kind, Kind::Qemu);
   EXPECT_EQ(once.seed, 42U);
   EXPECT_EQ(once.airRate, 9600.0);
+  EXPECT_EQ(once.readTime, 0.15);
   EXPECT_EQ(once.compassSpots, 12.0);
   EXPECT_EQ(worldArguments(parsed(worldArguments(once))), worldArguments(once));
   EXPECT_EQ(worldArguments(once).size(), words.size());
@@ -93,7 +96,7 @@ TEST(WorldOptions, refuseWhatIsOutOfRange) {
   EXPECT_THROW(parsed({site, "--air-rate", "9601"}), CLI::ParseError);
   EXPECT_THROW(parsed({site, "--vehicle", "255"}), CLI::ParseError);
   EXPECT_THROW(parsed({site, "--kind", "real"}), CLI::ParseError);
-  EXPECT_THROW(parsed({"no-such-file.tessera.json"}), CLI::ParseError);
+  EXPECT_THROW(parsed({site, "--read-time", "0.3"}), CLI::ParseError);
 }
 
 WorldOptions three() {

@@ -132,7 +132,8 @@ TEST(Supervisor, answersAnAskWithASentence) {
   rig.run(Seconds{2});
   rig.supervisor.post(Ask{VehicleId{1}, {wire::MessageType::Set, 7, 250}});
   ASSERT_TRUE(rig.runUntil([&] { return !rig.told(EventKind::Answer).empty(); }, Seconds{2}));
-  EXPECT_EQ(rig.told(EventKind::Answer)[0].sentence, "AGV 1, setting parameter 7 to 250: done, the value is 250.");
+  EXPECT_EQ(rig.told(EventKind::Answer)[0].sentence,
+            "AGV 1, setting the stop distance to 250 mm: done, the value is 250 mm.");
 }
 
 }  // namespace
