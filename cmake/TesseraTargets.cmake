@@ -70,5 +70,7 @@ function(tessera_test NAME)
   if("qemu" IN_LIST ARG_LABELS OR "system" IN_LIST ARG_LABELS)
     set(serial ON)
   endif()
-  gtest_discover_tests(${NAME} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${ARG_LABELS}" RUN_SERIAL ${serial})
+  # Discovery passes the properties on as a list, which would take a second label for the next property's name.
+  list(JOIN ARG_LABELS "\\;" labels)
+  gtest_discover_tests(${NAME} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${labels}" RUN_SERIAL ${serial})
 endfunction()
