@@ -14,6 +14,7 @@ namespace tessera::sim {
 namespace {
 
 constexpr std::uint8_t kAddress = 7;
+constexpr Seconds kExpiry{0.5};  // of every command
 constexpr wire::Key kKey = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
 
 class QemuVehicle : public EmulatedBoard {
@@ -88,7 +89,7 @@ protected:
     entry.mode = mode;
     entry.speed = speed;
     entry.bearing = bearing;
-    entry.expiry = 25;  // 500 ms
+    entry.expiry = static_cast<std::uint8_t>(kExpiry.value() * 1000 / wire::kExpiryUnitMs);
     cycle.add(entry, session_);
     std::array<std::uint8_t, wire::kMaxFrame> frame{};
     const std::size_t size = cycle.finish(frame);
@@ -142,15 +143,20 @@ TEST_F(QemuVehicle, drivesWhenToldAndStopsByItself) {
   }));
   EXPECT_EQ(report.state, wire::VehicleState::Standing);
   command(wire::CommandMode::Drive, 100, report.bearing);
+  const auto given = std::chrono::steady_clock::now();  // it had the command before it answered
   EXPECT_TRUE(eventually([&] {
     collect();
     return duty_[0] > 0 && duty_[1] > 0;
   })) << duty_[0]
       << " " << duty_[1];
-  EXPECT_TRUE(eventually([&] {
-    collect();
-    return duty_ == std::array{0, 0};
-  })) << "the command has run out";
+  EXPECT_TRUE(eventually(
+      [&] {
+        collect();
+        return duty_ == std::array{0, 0};
+      },
+      kExpiry + Seconds{0.5}))
+      << "the command has run out";
+  EXPECT_LT(std::chrono::steady_clock::now() - given, std::chrono::duration<double>((kExpiry + Seconds{0.5}).value()));
   const std::int32_t stackFree = get(wire::Parameter::StackFree);
   EXPECT_GT(stackFree, 4096) << "of 8192 bytes";
   EXPECT_LT(stackFree, 8192);

@@ -15,9 +15,9 @@ using supervisor::EventKind;
 
 const std::string kPaper = TESSERA_SITES "/paper.tessera.json";
 constexpr MetresPerSecond kSpeed{0.2};
-// The longest expiry that the supervisor gives at this air rate, the way of the last command through the air, and the
-// time to brake.
-constexpr Seconds kStandsWithin{1.6};
+// What a command of this machine's clock may be late: its way through the air, the braking from 0.2 m/s, and the pauses
+// of a busy machine. The exact bound is tried in virtual time.
+constexpr Seconds kSlack{0.6};
 
 class Adversity : public ::testing::TestWithParam<std::string> {
 protected:
@@ -32,14 +32,28 @@ protected:
     supervision = std::make_unique<Supervision>(kPaper, world->port());
     ASSERT_TRUE(supervision->drive(kSpeed, Metres{0.2})) << supervision->sentences();
   }
-  void expectStandstill(Seconds since) {
+  /// Of the command that holds at the moment.
+  [[nodiscard]] Seconds expiry() const {
+    const auto command = supervision->view().command;
+    EXPECT_TRUE(command && command->mode == wire::CommandMode::Drive && command->expiry > Seconds{});
+    return command ? command->expiry : Seconds{};
+  }
+  void expectStandstill(Seconds since, Seconds expiry) {
     const Seconds moved = world->movedOnFor(since);
     RecordProperty("moved_on_for_s", std::to_string(moved.value()));
-    EXPECT_LT(moved, kStandsWithin) << "moved on for " << moved.value() << " s\n" << supervision->sentences();
+    EXPECT_LT(moved, expiry + kSlack) << "moved on for " << moved.value() << " s, the command for " << expiry.value()
+                                      << " s\n"
+                                      << supervision->sentences();
   }
   void expectSentence(EventKind kind, bool over = false) {
     EXPECT_TRUE(supervision->hears(kind, over)) << supervisor::nameOf(kind) << (over ? " over" : "") << " is not in\n"
                                                 << supervision->sentences();
+  }
+  // It may answer a call first, or tell first that it has restarted: one of the two is what ends.
+  void expectItIsInTouch() {
+    EXPECT_TRUE(supervision->until([&] {
+      return supervision->told(EventKind::Silent, true) + supervision->told(EventKind::Restarted, true) > 0;
+    })) << supervision->sentences();
   }
   // By itself: nobody orders anything again.
   void expectItGoesOn() {
@@ -56,11 +70,12 @@ protected:
 
 TEST_P(Adversity, aPulledPortStopsTheVehicleAndAReplacedOneLetsItGoOn) {
   ASSERT_NO_FATAL_FAILURE(drive());
+  const Seconds given = expiry();
   const Seconds pulled = host::steadyNow();
   ASSERT_TRUE(world->order("pull")) << world->answer();
   expectSentence(EventKind::PortLost);
   EXPECT_EQ(supervision->port(), supervisor::PortState::Lost);
-  expectStandstill(pulled);
+  expectStandstill(pulled, given);
   ASSERT_TRUE(world->order("plug")) << world->answer();
   expectSentence(EventKind::PortLost, true);
   expectItGoesOn();
@@ -69,12 +84,13 @@ TEST_P(Adversity, aPulledPortStopsTheVehicleAndAReplacedOneLetsItGoOn) {
 
 TEST_P(Adversity, aDeadVehicleIsCalledSilentAndGoesOnWhenItIsStartedAgain) {
   ASSERT_NO_FATAL_FAILURE(drive());
+  const Seconds given = expiry();
   const Seconds killed = host::steadyNow();
   ASSERT_TRUE(world->order("kill 1")) << world->answer();
   expectSentence(EventKind::Silent);
-  expectStandstill(killed);
+  expectStandstill(killed, given);
   ASSERT_TRUE(world->order("start 1")) << world->answer();
-  expectSentence(EventKind::Silent, true);
+  expectItIsInTouch();
   expectItGoesOn();
   EXPECT_GT(supervision->told(EventKind::Restarted), 0) << supervision->sentences();
 }
@@ -82,12 +98,16 @@ TEST_P(Adversity, aDeadVehicleIsCalledSilentAndGoesOnWhenItIsStartedAgain) {
 TEST_P(Adversity, noiseDamageAndReplaysAreToldAndTheDriveGoesOn) {
   ASSERT_NO_FATAL_FAILURE(drive());
   ASSERT_TRUE(world->order("noise 500")) << world->answer();
-  ASSERT_TRUE(world->order("corrupt 10")) << world->answer();
   expectSentence(EventKind::DamagedFrames);
+  expectSentence(EventKind::DamagedFrames, true);
+  ASSERT_EQ(supervision->told(EventKind::DamagedFrames), 1) << supervision->sentences();
+  ASSERT_TRUE(world->order("corrupt 10")) << world->answer();
+  EXPECT_TRUE(supervision->until([&] { return supervision->told(EventKind::DamagedFrames) == 2; }))
+      << "nobody noticed the changed bytes\n"
+      << supervision->sentences();
   // What is repeated may collide with what is said: until one came through.
   EXPECT_TRUE(supervision->until([&] {
-    return world->order("replay 2") &&
-           supervision->told(EventKind::ReplayedFrames) + supervision->told(EventKind::Fault) > 0;
+    return world->order("replay 2") && supervision->told(EventKind::ReplayedFrames) > 0;
   })) << supervision->sentences();
   EXPECT_THAT(supervision->sentences(), testing::HasSubstr("old frames"));
   expectItGoesOn();
@@ -137,14 +157,15 @@ TEST_P(Adversity, aVehicleWhoseEmulatorIsShotIsCalledSilentAndGoesOnWhenItIsStar
   ASSERT_NO_FATAL_FAILURE(drive());
   const int emulator = world->emulatorId();
   ASSERT_GT(emulator, 0);
+  const Seconds given = expiry();
   const Seconds shot = host::steadyNow();
   ASSERT_EQ(::kill(emulator, SIGKILL), 0);
   expectSentence(EventKind::Silent);
-  expectStandstill(shot);
+  expectStandstill(shot, given);
   EXPECT_TRUE(world->program().complains("vehicle 1 ended by itself")) << world->program().errors();
   EXPECT_EQ(world->emulatorId(), 0);
   ASSERT_TRUE(world->order("start 1")) << world->answer();
-  expectSentence(EventKind::Silent, true);
+  expectItIsInTouch();
   expectItGoesOn();
 }
 #endif

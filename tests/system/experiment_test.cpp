@@ -2,9 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QColor>
 #include <QImage>
 #include <QTemporaryDir>
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -18,6 +20,22 @@ std::vector<std::string> linesOf(const std::string& file) {
   std::vector<std::string> lines;
   for (std::string line; std::getline(in, line);) lines.push_back(line);
   return lines;
+}
+
+/// How many have this colour, as near as smooth edges leave it.
+int pixels(const QImage& picture, const QColor& colour) {
+  constexpr int kNear = 12;
+  int count = 0;
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      const QColor here = picture.pixelColor(x, y);
+      const bool same = std::abs(here.red() - colour.red()) <= kNear &&
+                        std::abs(here.green() - colour.green()) <= kNear &&
+                        std::abs(here.blue() - colour.blue()) <= kNear;
+      count += same ? 1 : 0;
+    }
+  }
+  return count;
 }
 
 class AnExperimentThroughThePort : public ::testing::TestWithParam<std::string> {};
@@ -44,8 +62,9 @@ TEST_P(AnExperimentThroughThePort, leavesItsFiguresItsTrackAndItsPicture) {
   EXPECT_EQ(summary["reversals"], 0);
   EXPECT_LT(summary["position_error_mean_m"], 0.05);
   EXPECT_LE(summary["position_error_mean_m"], summary["position_error_p95_m"]);
-  EXPECT_LT(summary["cross_track_rms_m"], 0.05);
+  EXPECT_LT(summary["cross_track_rms_m"], 0.03);
   EXPECT_LE(summary["cross_track_rms_m"], summary["cross_track_max_m"]);
+  EXPECT_GE(summary["mean_speed_ratio"], 0.8);
   EXPECT_GT(summary["duration_s"], 1.0 / 0.2) << "it is no faster than asked";
   EXPECT_EQ(summary["options"]["vehicle"], GetParam());
 
@@ -60,6 +79,10 @@ TEST_P(AnExperimentThroughThePort, leavesItsFiguresItsTrackAndItsPicture) {
   const QImage picture{QString::fromStdString(out + "/track.png"), "PNG"};
   EXPECT_GE(picture.width(), 600);
   EXPECT_GE(picture.height(), 400);
+  // The route is drawn wide, the true track as a thin line on it, the estimate dashed; lettering is black on white.
+  EXPECT_GT(pixels(picture, QColor{60, 60, 60}), 500) << "the route";
+  EXPECT_GT(pixels(picture, QColor{0, 114, 178}), 300) << "the true track";
+  EXPECT_GT(pixels(picture, QColor{0, 114, 178}.lighter(150)), 50) << "the estimate";
 }
 
 INSTANTIATE_TEST_SUITE_P(OfVehicles, AnExperimentThroughThePort, ::testing::Values(TESSERA_KIND),
