@@ -70,7 +70,8 @@ function(tessera_test NAME)
   if("qemu" IN_LIST ARG_LABELS OR "system" IN_LIST ARG_LABELS)
     set(serial ON)
   endif()
-  # Discovery passes the properties on as a list, which would take a second label for the next property's name.
-  list(JOIN ARG_LABELS "\\;" labels)
+  # Discovery hands the properties through several lists; so many backslashes bring a semicolon through all of them.
+  # With fewer the second label would be taken for the next property's name, and RUN_SERIAL be lost with it.
+  list(JOIN ARG_LABELS "\\\\\\\\\\\\\\;" labels)
   gtest_discover_tests(${NAME} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${labels}" RUN_SERIAL ${serial})
 endfunction()
