@@ -57,6 +57,18 @@ TEST_F(Adversity, aRestartedVehicleIsTakenUpAgain) {
   ASSERT_TRUE(rig.runUntil([&] { return rig.view(1).finished; }, Seconds{120})) << rig.view(1).doing;
 }
 
+TEST_F(Adversity, aVehiclePutElsewhereIsToldAsLostUntilItsPlaceIsKnownAgain) {
+  ASSERT_TRUE(rig.runUntil([&] { return !rig.told(EventKind::Located).empty(); }, Seconds{10}));
+  // Again and again: the locator follows a single jump without getting lost.
+  for (int i = 0; i < 20 && rig.told(EventKind::Lost).empty(); ++i) {
+    rig.vehicle(1).pose.position = rig.vehicle(1).pose.position + Offset{Metres{i % 2 == 0 ? 0.6 : -0.5}, Metres{0.1}};
+    rig.run(Seconds{1});
+  }
+  ASSERT_TRUE(rig.runUntil([&] { return !rig.told(EventKind::Lost, true).empty(); }, Seconds{60})) << rig.view(1).doing;
+  expectEpisode(EventKind::Lost, "AGV 1 has lost its place and stands.");
+  EXPECT_EQ(rig.told(EventKind::Located).size(), 1U) << "the first time only";
+}
+
 TEST_F(Adversity, anObstacleIsToldWithItsDistance) {
   rig.vehicle(1).blocked = true;
   ASSERT_TRUE(rig.runUntil([&] { return rig.view(1).state == wire::VehicleState::Obstacle; }, Seconds{2}));

@@ -9,7 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/exit_codes.h"
+#include "drive/route_follower.h"
 #include "host/supervisor_thread.h"
+#include "locate/locator.h"
 #include "system/program.h"
 #include "system/world.h"
 
@@ -160,6 +162,10 @@ TEST(Json, isAllThatStandsOnStandardOutput) {
                               cli::kDone);
   ASSERT_TRUE(summary.is_object());
   EXPECT_EQ(summary["finished"], true);
+  EXPECT_GT(summary["channel"]["cycle_s"], 0.0);
+  EXPECT_EQ(summary["options"]["estimator"], locate::locatorNames().front());
+  EXPECT_EQ(summary["options"]["controller"], drive::followerNames().front());
+  EXPECT_THAT(summary["options"]["world_arguments"].get<Words>(), testing::Not(testing::Contains("--truth")));
   World world{folder, kCorner, {}};
   const auto late = parsed({"drive", kCorner, "--port", world.port(), "--drive", "1=corner", "--limit", "2", "--json"},
                            cli::kNotFinished);
