@@ -203,9 +203,7 @@ void VehicleAgent::watchPlace(EventLog& log) {
 
 void VehicleAgent::watchState(Seconds now, EventLog& log) {
   const wire::Report& report = last_->report;
-  // A vehicle whose ranger does not answer stands in the same state without an obstacle: the fault tells of that.
-  const bool seen = obstacle_.active() || (report.faults & wire::kFaultRanger) == 0;
-  const Change obstacle = obstacle_.update(report.state == wire::VehicleState::Obstacle && seen, now);
+  const Change obstacle = obstacle_.update(report.state == wire::VehicleState::Obstacle, now);
   if (obstacle == Change::Begins)
     log.tell(Severity::Warning, EventKind::Obstacle, id(),
              name_ + " stands before an obstacle" +

@@ -99,13 +99,13 @@ enum Fault : std::uint16_t {
   kFaultCompassRange = 1U << 3,  ///< field too strong, too weak or overflowing; heading is kept from the wheels
   kFaultReader = 1U << 4,        ///< a reader does not answer
   kFaultBattery = 1U << 5,       ///< battery low
-  kFaultEeprom = 1U << 6,        ///< settings unreadable; defaults in use
+  kFaultEeprom = 1U << 6,        ///< settings unreadable (stands, whatever Clear says), or could not be written
   kFaultWatchdog = 1U << 7,      ///< latched: last start was the watchdog's
   kFaultRadio = 1U << 8,         ///< the radio module did not take its parameters
   kFaultForged = 1U << 9,        ///< since the last report a command was refused: wrong MAC
   kFaultReplayed = 1U << 10,     ///< since the last report a command was refused: seen before
   kFaultEventsLost = 1U << 11,   ///< tag events were dropped because the host did not fetch them
-  kFaultRanger = 1U << 12,       ///< a ranger does not answer
+  kFaultRanger = 1U << 12,       ///< a ranger's echoes are too short to be of any distance
 };
 
 enum class EventKind : std::uint8_t { Left = 0, Uid4 = 1, Uid7 = 2, Uid10 = 3 };

@@ -60,8 +60,9 @@ TEST(Vehicle, standsAndSaysWhyWhenItsSettingsAreUnreadable) {
   bench.host = TestHost{kUncommissionedAddress, wire::Key{}};
   ASSERT_TRUE(bench.open());
   EXPECT_EQ(bench.host.report->faults & wire::kFaultEeprom, wire::kFaultEeprom);
+  bench.say(bench.host.clear());
   bench.drive(200, 0.0, 1000);
-  EXPECT_TRUE(bench.plant.standing());
+  EXPECT_TRUE(bench.plant.standing()) << "whatever Clear says";
   EXPECT_EQ(bench.state(), VehicleState::Faulted);
 }
 
