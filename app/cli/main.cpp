@@ -45,8 +45,8 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    // CLI11 tells only that a sub-command is missing, where one was given that there is not.
-    if (const auto words = app.remaining(); e.get_exit_code() != 0 && app.get_subcommands().empty() && !words.empty())
+    // CLI11 tells only that a sub-command is missing, or helps, where one was given that there is not.
+    if (const auto words = app.remaining(); app.get_subcommands().empty() && !words.empty())
       return complain("There is no sub-command \"" + words.front() + "\"; see --help.", kUsage);
     const int asked = app.exit(e);  // prints help, the version or what is wrong
     return asked == 0 ? kDone : kUsage;
