@@ -94,7 +94,6 @@ void VehicleAgent::take(const link::WrongVersion& e, EventLog& log) {
 void VehicleAgent::take(const link::Restarted& e, EventLog& log) {
   contact_ = Contact::Calling;
   history_.clear();
-  if (silent_.active()) silent_.forget();
   if (restart_.seen(Seconds{0}) == Change::Begins)
     log.tell(Severity::Warning, EventKind::Restarted, id(),
              name_ + " has restarted (" + std::string{causeText(e.cause)} + "); it is called again.");

@@ -1,5 +1,4 @@
-// What goes wrong on a shop floor: each time a sentence says what happened, the vehicle stands within its command's
-// expiry, and the drive goes on when the cause is gone.
+// What goes wrong on a shop floor: a sentence says it, the vehicle stands within its command's expiry, and goes on.
 #include <gmock/gmock.h>
 
 #include "scenario/scenario.h"
@@ -12,8 +11,7 @@ namespace {
 
 using supervisor::EventKind;
 
-// From the port to the vehicle at most: the longest packet at the site's air rate and the world's air factor, its way
-// over the serial line, and what the module waits for.
+// From the port to the vehicle at most: the longest packet at the world's air factor, and the serial lines.
 const Seconds kAirWay{1.8 * wire::loRaAirtime(wire::kMaxFrame, 19200) + 0.02};
 constexpr double kBraking = 3 * 0.5;  // m/s^2, of the firmware's wheel loop
 constexpr Seconds kSlack{0.1};

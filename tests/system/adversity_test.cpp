@@ -60,7 +60,7 @@ protected:
     const Point from = world->where();
     EXPECT_TRUE(supervision->until([&] { return distance(world->where(), from) > Metres{0.25}; }))
         << supervision->sentences();
-    EXPECT_TRUE(supervision->connected());
+    EXPECT_TRUE(supervision->until([&] { return supervision->connected(); })) << supervision->sentences();
   }
 
   QTemporaryDir folder;
