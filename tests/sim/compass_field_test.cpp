@@ -92,7 +92,7 @@ TEST(CompassField, spreadsTheSameSpotsOverTheFloorForTheSameSeed) {
   EXPECT_NE(spots[3].centre, seededSpots(site, kSpotDeviation, 5)[3].centre);
   for (const MagneticSpot& spot : spots) {
     EXPECT_TRUE(spot.centre.x >= Metres{} && spot.centre.x <= Metres{3.0});
-    EXPECT_NEAR(std::hypot(spot.peak[0], spot.peak[1]), 1.75, 0.01);
+    EXPECT_NEAR(std::hypot(spot.peak[0], spot.peak[1]), kEarthHorizontal * std::tan(kSpotDeviation.value()), 0.01);
   }
   EXPECT_TRUE(seededSpots(site, Radians{}, 4).empty());
   EXPECT_TRUE(seededSpots(floor::Site{}, kSpotDeviation, 4).empty());
