@@ -101,13 +101,15 @@ TEST_P(Adversity, noiseDamageAndReplaysAreToldAndTheDriveGoesOn) {
   expectSentence(EventKind::DamagedFrames);
   expectSentence(EventKind::DamagedFrames, true);
   ASSERT_EQ(supervision->told(EventKind::DamagedFrames), 1) << supervision->sentences();
+  // Damaged commands stay unanswered, so which packets are hit is a matter of the moment; that each damaged answer is
+  // told is tried in virtual time. Here: the drive bears it.
   ASSERT_TRUE(world->order("corrupt 10")) << world->answer();
-  EXPECT_TRUE(supervision->until([&] { return supervision->told(EventKind::DamagedFrames) == 2; }))
-      << "nobody noticed the changed bytes\n"
-      << supervision->sentences();
-  // What is repeated may collide with what is said: until one came through.
+  // What is repeated may collide with what is said: once more after some more reports, until one came through.
+  std::uint32_t next = 0;
   EXPECT_TRUE(supervision->until([&] {
-    return world->order("replay 2") && supervision->told(EventKind::ReplayedFrames) > 0;
+    const auto reports = supervision->view().link.reports;
+    if (reports >= next && world->order("replay 2")) next = reports + 3;
+    return supervision->told(EventKind::ReplayedFrames) > 0;
   })) << supervision->sentences();
   EXPECT_THAT(supervision->sentences(), testing::HasSubstr("old frames"));
   expectItGoesOn();
