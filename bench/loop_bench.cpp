@@ -29,8 +29,10 @@ std::shared_ptr<const floor::SiteMap> floorOf(std::size_t tags, std::vector<floo
       number >>= 8;
     }
     uids.push_back(*floor::TagUid::fromBytes(bytes));
+    const std::size_t row = i / side;
+    const std::size_t column = i % side;
     site.looseTags.push_back(
-        {uids.back(), {Metres{0.15 * static_cast<double>(i % side)}, Metres{0.15 * static_cast<double>(i / side)}}});
+        {uids.back(), {Metres{0.15 * static_cast<double>(column)}, Metres{0.15 * static_cast<double>(row)}}});
   }
   std::shuffle(uids.begin(), uids.end(), random);
   return *floor::SiteMap::build(std::move(site));

@@ -1,6 +1,5 @@
 #include "app/cli/port_run.h"
 
-#include <signal.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -11,6 +10,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <charconv>
+#include <csignal>
 #include <set>
 
 #include "app/cli/output.h"

@@ -58,8 +58,11 @@ Result<void> writeReport(const std::string& folder, const nlohmann::json& summar
   std::filesystem::create_directories(folder, error);
   if (error) return failure("The folder " + folder + " could not be made: " + error.message() + ".");
   for (const Outcome& outcome : outcomes) {
-    const std::string id = outcomes.size() > 1 ? "-" + std::to_string(outcome.assignment.vehicle.value) : "";
-    if (auto written = writeTrackCsv(folder + "/track" + id + ".csv", outcome.samples); !written) return written;
+    std::string file = folder;
+    file += "/track";
+    if (outcomes.size() > 1) file.append("-").append(std::to_string(outcome.assignment.vehicle.value));
+    file += ".csv";
+    if (auto written = writeTrackCsv(file, outcome.samples); !written) return written;
   }
   return writeWhole(folder + "/summary.json", summary.dump(2) + "\n");
 }
