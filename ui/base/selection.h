@@ -1,0 +1,33 @@
+// Which vehicle and which route the operator means: one choice that floor, lists, charts and buttons share.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <optional>
+
+#include "base/ids.h"
+
+namespace tessera::ui {
+
+class Selection : public QObject {
+  Q_OBJECT
+public:
+  using QObject::QObject;
+
+  [[nodiscard]] std::optional<VehicleId> vehicle() const { return vehicle_; }
+  /// Name of a route of the site; empty: none.
+  [[nodiscard]] const QString& route() const { return route_; }
+
+  void setVehicle(std::optional<VehicleId> vehicle);
+  void setRoute(const QString& route);
+
+Q_SIGNALS:
+  void vehicleChanged();
+  void routeChanged();
+
+private:
+  std::optional<VehicleId> vehicle_;
+  QString route_;
+};
+
+}  // namespace tessera::ui
