@@ -15,6 +15,8 @@ namespace {
 
 using Words = std::vector<std::string>;
 
+constexpr std::size_t kMostReplays = 100;
+
 std::optional<double> number(const std::string& word) {
   double value = 0;
   const auto [end, bad] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -34,12 +36,16 @@ std::optional<std::vector<double>> numbers(const Words& words, std::size_t count
   return values;
 }
 
+/// A whole number from 1 to `most` in this place of the line.
+std::optional<std::size_t> wholeNumber(const Words& words, std::size_t place, std::size_t most) {
+  const auto value = place < words.size() ? number(words[place]) : std::nullopt;
+  if (!value || *value < 1 || *value > static_cast<double>(most) || std::floor(*value) != *value) return std::nullopt;
+  return static_cast<std::size_t>(*value);
+}
+
+/// As the only word behind the command.
 std::optional<std::size_t> count(const Words& words, std::size_t most) {
-  const auto values = numbers(words, 1);
-  if (!values || (*values)[0] < 1 || (*values)[0] > static_cast<double>(most) ||
-      std::floor((*values)[0]) != (*values)[0])
-    return std::nullopt;
-  return static_cast<std::size_t>((*values)[0]);
+  return words.size() == 2 ? wholeNumber(words, 1, most) : std::nullopt;
 }
 
 std::optional<std::vector<std::uint8_t>> hexBytes(const std::string& word) {
@@ -128,11 +134,13 @@ Answer drop(const Words& w, sim::World& world) {
 }
 
 Answer replay(const Words& w, sim::World& world) {
-  const auto n = count(w, sim::ChannelTap::kMemory);
+  const auto n = wholeNumber(w, 1, sim::ChannelTap::kMemory);
+  const auto times = w.size() == 2 ? std::optional<std::size_t>{1} : wholeNumber(w, 2, kMostReplays);
   const auto& heard = world.tap().heard();
-  if (!n || *n > heard.size()) return misused("replay N, with N from 1 to the number of packets heard, at most 256");
-  world.inject(heard[heard.size() - *n]);
-  return "an old packet goes on the air once more";
+  if (!n || *n > heard.size() || !times || w.size() > 3)
+    return misused("replay N [TIMES], with N from 1 to the number of packets heard, at most 256, and TIMES to 100");
+  for (std::size_t i = 0; i < *times; ++i) world.inject(heard[heard.size() - *n]);
+  return "an old packet goes on the air " + (*times == 1 ? "once" : std::to_string(*times) + " times") + " more";
 }
 
 Answer where(const Words& w, sim::World& world) {

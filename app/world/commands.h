@@ -20,7 +20,8 @@ inline constexpr const char* kCommandHelp =
     "  inject HEX               these bytes on the air, e.g. inject A5000103\n"
     "  corrupt N                change one byte in each of the next N packets\n"
     "  drop N                   suppress the next N packets\n"
-    "  replay N                 send the Nth newest packet once more, 1 being the newest\n"
+    "  replay N [TIMES]         send the Nth newest packet once more, 1 being the newest, or TIMES on end: on a busy\n"
+    "                           channel the first meets another packet, and silences both sides for the next\n"
     "  pull / plug              close the serial port / open it again\n"
     "  where ID                 tell the vehicle's true pose\n"
     "  quit                     end";
