@@ -7,10 +7,10 @@
 #include "app/cli/output.h"
 #include "app/cli/port_run.h"
 #include "app/cli/track_picture.h"
-#include "app/cli/world_process.h"
 #include "app/experiment/lockstep.h"
 #include "app/experiment/report.h"
 #include "app/experiment/summary.h"
+#include "app/process/world_process.h"
 #include "app/world/make_world.h"
 #include "app/world/world_options.h"
 #include "drive/route_follower.h"
@@ -96,7 +96,7 @@ Result<RunEnd> runLockstep(const Plan& plan, const Words& words, experiment::Rec
 // A run in real time over a pty: the world in a process of its own.
 Result<RunEnd> runThroughPty(const Plan& plan, const Words& words, experiment::Recorder& recorder,
                              ProgressLine& progress) {
-  WorldProcess process;
+  process::WorldProcess process;
   progress.note("Setting the simulated world up: each vehicle calibrates its compass.");
   if (auto started = process.start(world::worldArguments(words.world)); !started) {
     return tl::unexpected{started.error()};

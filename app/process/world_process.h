@@ -1,0 +1,50 @@
+// A simulated world as a process of its own: the supervisor knows no more of it than a serial port.
+#pragma once
+
+#include <QObject>
+#include <QProcess>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace tessera::process {
+
+class WorldProcess : public QObject {
+  Q_OBJECT
+public:
+  using QObject::QObject;
+  /// Asks the world to end and waits for it, at most some 15 s.
+  ~WorldProcess() override;
+
+  /// Starts the tessera-world that stands beside this program; ready() or died() follows. `arguments`: see
+  /// world::worldArguments.
+  void begin(const std::vector<std::string>& arguments);
+  /// The same, and waits until its port is there. Error: it could not be started or ended before; the sentence repeats
+  /// what it said.
+  [[nodiscard]] Result<void> start(const std::vector<std::string>& arguments);
+
+  /// Empty until it is ready.
+  [[nodiscard]] const std::string& port() const { return port_; }
+  /// One line for the world's standard input, see `tessera-world --help`.
+  void command(const std::string& line);
+  /// Asks it to end and waits until it has; kills it when it does not.
+  void stop();
+
+Q_SIGNALS:
+  void ready(const QString& port);
+  /// It could not be started, or ended although nobody asked it to; once.
+  void died(const QString& sentence);
+
+private:
+  void takeOutput();
+  void fail(const QString& sentence);
+  [[nodiscard]] QString complaint();
+
+  QProcess process_;
+  std::string port_;
+  QString failure_;
+  bool stopping_ = false;
+};
+
+}  // namespace tessera::process
