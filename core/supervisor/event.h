@@ -35,6 +35,7 @@ enum class EventKind {
   RouteStarted,
   RouteFinished,
   RouteStopped,  ///< given up by Stop or StopAll
+  DrivenByHand,
   Paused,
   Resumed,
   OrderRefused,  ///< the sentence says why

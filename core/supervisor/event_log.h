@@ -17,6 +17,7 @@ public:
             bool over = false) {
     events_.push_back({now_, severity, vehicle, kind, over, std::move(sentence)});
   }
+  [[nodiscard]] Seconds now() const { return now_; }
   [[nodiscard]] bool empty() const { return events_.empty(); }
   [[nodiscard]] std::vector<Event> take() { return std::exchange(events_, {}); }
 

@@ -63,6 +63,8 @@ std::string_view nameOf(EventKind kind) {
       return "route-finished";
     case EventKind::RouteStopped:
       return "route-stopped";
+    case EventKind::DrivenByHand:
+      return "driven-by-hand";
     case EventKind::Paused:
       return "paused";
     case EventKind::Resumed:
@@ -111,6 +113,8 @@ std::string_view nameOf(Task task) {
       return "paused";
     case Task::Stopped:
       return "stopped";
+    case Task::Jogging:
+      return "jogging";
     case Task::Finished:
       return "finished";
   }

@@ -2,11 +2,13 @@
 // next tick. An order that cannot be carried out becomes an event with the reason; none is dropped in silence.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <variant>
 
 #include "base/ids.h"
 #include "base/units.h"
+#include "floor/site_map.h"
 #include "wire/messages.h"
 
 namespace tessera::supervisor {
@@ -52,6 +54,27 @@ struct Ask {
   bool operator==(const Ask&) const = default;
 };
 
-using Order = std::variant<RunRoute, Pause, Resume, Stop, StopAll, Clear, Ask>;
+/// A Jog holds this long; the vehicle stops when no other has come by then.
+inline constexpr Seconds kJogHolds{0.3};
+/// By hand no vehicle drives faster than this.
+inline constexpr MetresPerSecond kJogFastest{0.15};
+
+/// Drive by hand while a key is held; to be repeated about every 100 ms. Needs no known place. Speed 0 turns on the
+/// spot. Refused while a route runs, and after a Stop until the keys have been let go for kJogHolds.
+struct Jog {
+  VehicleId vehicle;
+  MetresPerSecond speed;      ///< negative backwards; limited to kJogFastest and the vehicle's maximum
+  RadiansPerSecond turnRate;  ///< positive counter-clockwise; limited to the vehicle's maximum
+  bool operator==(const Jog&) const = default;
+};
+
+/// Go on with an edited site: its routes can be run at once, a running one goes on as it was given. Refused when its
+/// vehicles (but for their names and start places) or its radio are others.
+struct UseSite {
+  std::shared_ptr<const floor::SiteMap> map;
+  bool operator==(const UseSite&) const = default;  ///< the same map, not an equal one
+};
+
+using Order = std::variant<RunRoute, Pause, Resume, Stop, StopAll, Clear, Ask, Jog, UseSite>;
 
 }  // namespace tessera::supervisor

@@ -71,9 +71,8 @@ const std::array<FaultText, 13>& faultTexts() {
        "gets no more replayed commands."},
       {wire::kFaultEventsLost, false, kFlicker, "dropped tag reads because they were not fetched in time.",
        "has its tag reads fetched in time again."},
-      {wire::kFaultRanger, false, kSoon,
-       "gets echoes from one of its rangers that no distance makes: its line may be bad.",
-       "gets plausible echoes from all its rangers again."},
+      {wire::kFaultRanger, false, kSoon, "gets no answer from one of its rangers and does not drive forwards.",
+       "hears all its rangers again."},
   }};
   return kTexts;
 }

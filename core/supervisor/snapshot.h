@@ -10,6 +10,7 @@
 
 #include "base/ids.h"
 #include "base/pose.h"
+#include "floor/tag.h"
 #include "wire/messages.h"
 
 namespace tessera::supervisor {
@@ -31,7 +32,14 @@ enum class Contact {
 };
 
 /// What a vehicle is busy with, as far as orders go.
-enum class Task { None, Running, Paused, Stopped, Finished };
+enum class Task {
+  None,
+  Running,
+  Paused,
+  Stopped,
+  Finished,
+  Jogging,  ///< driven by hand
+};
 
 enum class CommandStatus {
   Sent,
@@ -62,6 +70,16 @@ struct LinkView {
   std::uint32_t tagEventsLost = 0;
 };
 
+/// A tag that a vehicle's reader saw.
+struct ReadView {
+  floor::TagUid uid;
+  std::uint8_t reader = 0;  ///< index into floor::VehicleSetup::readers
+  Seconds at;
+  std::optional<Point> place;  ///< of the tag; nullopt: the site does not have it
+  bool operator==(const ReadView&) const = default;
+};
+inline constexpr std::size_t kRecentReads = 16;
+
 struct VehicleView {
   VehicleId id;
   std::string name;
@@ -74,6 +92,8 @@ struct VehicleView {
   std::array<double, 9> covariance{};  ///< of x, y (m) and heading (rad), row by row
   Pose predicted;                      ///< where it will be when a command sent now takes effect
   MetresPerSecond speed;               ///< of the last report
+  Radians heading;      ///< of the last report, as the vehicle's own compass and wheels have it, in the site frame
+  Radians headingBias;  ///< what the locator has learned of that heading's error: reported minus true
   double batteryVolts = 0.0;
   std::optional<Metres> obstacle;  ///< nearest one that a ranger sees
   LinkView link;
@@ -86,7 +106,9 @@ struct VehicleView {
   std::string doing;        ///< what the controller decided and why, one sentence; empty without a route
   std::string waits;        ///< why it stands although it should go: one sentence; empty when it does not wait
   std::uint32_t reads = 0;  ///< tag reads taken by the locator
-  bool finished = false;    ///< the route's end was reached
+  std::vector<ReadView> recentReads;  ///< the last of them, kRecentReads at most, oldest first
+  std::uint8_t readersAnswering = 0;  ///< bit i: reader i answers, by the last report
+  bool finished = false;              ///< the route's end was reached
 };
 
 struct ChannelView {

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "link/channel.h"
+#include "supervisor/site_change.h"
 #include "supervisor/vehicle_agent.h"
 
 namespace tessera::supervisor {
@@ -28,6 +29,7 @@ struct Supervisor::Impl {
 
   VehicleAgent* agent(VehicleId id);
   void carryOut(const Order& order);
+  void useSite(const UseSite& order);
   void hear(const link::LinkEvent& event, Seconds now);
   void hearNoise(const link::Noise& noise, Seconds now);
   void endEpisodes(Seconds now);
@@ -57,7 +59,7 @@ Result<Supervisor> Supervisor::create(std::shared_ptr<const floor::SiteMap> map,
     if (!agent) return tl::unexpected{agent.error()};
     agents.push_back(std::move(*agent));
   }
-  auto impl = std::make_unique<Impl>(std::move(map), config, channel);
+  auto impl = std::make_unique<Impl>(map, config, channel);
   impl->agents = std::move(agents);
   return Supervisor{std::move(impl)};
 }
@@ -129,6 +131,7 @@ void Supervisor::Impl::carryOut(const Order& order) {
     for (VehicleAgent& a : agents) a.stop(log);
     return;
   }
+  if (const auto* use = std::get_if<UseSite>(&order)) return useSite(*use);
   const VehicleId id = std::visit(
       [](const auto& o) {
         if constexpr (requires { o.vehicle; })
@@ -148,9 +151,25 @@ void Supervisor::Impl::carryOut(const Order& order) {
   if (std::holds_alternative<Resume>(order)) a->resume(log);
   if (std::holds_alternative<Stop>(order)) a->stop(log);
   if (std::holds_alternative<Clear>(order)) a->clear();
-  if (const auto* ask = std::get_if<Ask>(&order))
+  if (const auto* jog = std::get_if<Jog>(&order)) a->jog(*jog, log);
+  if (const auto* ask = std::get_if<Ask>(&order)) {
+    // A Stop is repeated for as long as it holds, and would end the calibration at once.
+    const bool moves = ask->request.type == wire::MessageType::Do &&
+                       ask->request.parameter == static_cast<std::uint8_t>(wire::Action::CalibrateCompass);
+    if (moves && !a->letGo(log)) return;
     if (!channel.request(id, ask->request))
       log.tell(Severity::Warning, EventKind::OrderRefused, id, a->name() + ": too many requests are waiting already.");
+  }
+}
+
+void Supervisor::Impl::useSite(const UseSite& order) {
+  if (!order.map || !sameFleet(site->site(), order.map->site())) {
+    log.tell(Severity::Warning, EventKind::OrderRefused, std::nullopt,
+             "The site's vehicles or its radio have changed: supervision must be restarted to take them over.");
+    return;
+  }
+  site = order.map;
+  for (VehicleAgent& a : agents) a.use(site);
 }
 
 void Supervisor::Impl::hear(const link::LinkEvent& event, Seconds now) {

@@ -1,4 +1,5 @@
-// Orders and decisions; what the channel tells is taken in vehicle_agent_link.cpp.
+// Decisions and the picture; orders are taken in vehicle_agent_orders.cpp, what the channel tells in
+// vehicle_agent_link.cpp.
 #include "supervisor/vehicle_agent.h"
 
 #include <algorithm>
@@ -18,15 +19,20 @@ constexpr MetresPerSecond kStanding{0.005};
 }  // namespace
 
 VehicleAgent::VehicleAgent(std::shared_ptr<const floor::SiteMap> map, floor::VehicleSetup setup)
-    : map_{std::move(map)}, setup_{std::move(setup)}, ability_{drive::abilityOf(setup_)} {
-  name_ = setup_.name.empty() ? "Vehicle " + std::to_string(setup_.id.value) : setup_.name;
+    : map_{std::move(map)}, setup_{std::move(setup)}, ability_{drive::abilityOf(setup_)}, hand_{ability_} {
+  takeName();
   for (const FaultText& text : faultTexts()) faults_.emplace_back(text.quiet);
+}
+
+void VehicleAgent::takeName() {
+  name_ = setup_.name.empty() ? "Vehicle " + std::to_string(setup_.id.value) : setup_.name;
 }
 
 Result<VehicleAgent> VehicleAgent::create(std::shared_ptr<const floor::SiteMap> map, const floor::VehicleSetup& setup,
                                           const std::string& locator, const std::string& controller) {
   VehicleAgent agent{map, setup};
-  auto made = locate::makeLocator(locator.empty() ? locate::locatorNames().front() : locator, map, setup);
+  agent.locatorName_ = locator.empty() ? locate::locatorNames().front() : std::string_view{locator};
+  auto made = locate::makeLocator(agent.locatorName_, map, setup);
   if (!made) return tl::unexpected{made.error()};
   agent.locator_ = std::move(*made);
   agent.estimate_ = agent.locator_->at(agent.locator_->lastMotion());
@@ -37,53 +43,11 @@ Result<VehicleAgent> VehicleAgent::create(std::shared_ptr<const floor::SiteMap> 
   return agent;
 }
 
-// --- orders
-// -----------------------------------------------------------------------------------------------------------
-
-void VehicleAgent::refuse(EventLog& log, const std::string& what) const {
-  log.tell(Severity::Warning, EventKind::OrderRefused, id(), name_ + ": " + what);
-}
-
-void VehicleAgent::run(const RunRoute& order, EventLog& log) {
-  const floor::Route* route = map_->route(order.route);
-  if (route == nullptr) return refuse(log, "the site has no route called \"" + order.route + "\".");
-  if (!(order.speed > MetresPerSecond{0.0}))
-    return refuse(log, "the speed for the route " + order.route + " must be above zero.");
-  drive::FollowerSetup setup;
-  setup.route = *route;
-  setup.ability = ability_;
-  setup.plan.requested = std::min(order.speed, ability_.maxSpeed);
-  auto follower = drive::makeRouteFollower(controller_, setup);
-  if (!follower) return refuse(log, follower.error().sentence);
-  follower_ = std::move(*follower);
-  routeName_ = order.route;
-  decision_.reset();
-  task_ = Task::Running;
-  log.tell(Severity::Info, EventKind::RouteStarted, id(),
-           name_ + " starts on the route " + routeName_ + " at " + decimal(setup.plan.requested.value(), 2) + " m/s.");
-}
-
-void VehicleAgent::pause(EventLog& log) {
-  if (task_ != Task::Running) return refuse(log, "it cannot pause, as it runs no route.");
-  task_ = Task::Paused;
-  log.tell(Severity::Info, EventKind::Paused, id(), name_ + " pauses on the route " + routeName_ + ".");
-}
-
-void VehicleAgent::resume(EventLog& log) {
-  if (task_ != Task::Paused) return refuse(log, "it cannot go on, as it does not pause.");
-  task_ = Task::Running;
-  log.tell(Severity::Info, EventKind::Resumed, id(), name_ + " goes on along the route " + routeName_ + ".");
-}
-
-void VehicleAgent::stop(EventLog& log) {
-  if (task_ == Task::Running || task_ == Task::Paused)
-    log.tell(Severity::Info, EventKind::RouteStopped, id(), name_ + " gives up the route " + routeName_ + " by order.");
-  task_ = Task::Stopped;
-}
-
 bool VehicleAgent::stopped() const {
   if (contact_ != Contact::Connected) return true;
-  if (task_ == Task::Running || !last_ || !sent_ || sent_->view.mode != wire::CommandMode::Stop) return false;
+  if (task_ == Task::Running || task_ == Task::Jogging || !last_ || !sent_ ||
+      sent_->view.mode != wire::CommandMode::Stop)
+    return false;
   const wire::VehicleState state = last_->report.state;
   const bool moves = state == wire::VehicleState::Driving || state == wire::VehicleState::Turning;
   return !moves && sent_->view.status == CommandStatus::Acknowledged && last_->report.speed == 0;
@@ -91,6 +55,10 @@ bool VehicleAgent::stopped() const {
 
 // --- decisions
 // --------------------------------------------------------------------------------------------------------
+
+Radians VehicleAgent::reportedHeading() const {
+  return floor::headingOfBearing(floor::fromBinaryAngle(last_->report.bearing), map_->site().northToY);
+}
 
 drive::VehicleState VehicleAgent::state() const {
   return {estimate_.at,     estimate_.pose, estimate_.speed, estimate_.turnRate, estimate_.positionSigma(),
@@ -107,6 +75,9 @@ link::Wish VehicleAgent::decide(Seconds now, const ChannelTiming& timing, EventL
                    " were dropped.",
                true);
   }
+  if (task_ == Task::Jogging && !hand_.holds(now)) task_ = Task::Stopped;
+  if (byHand_.update(task_ == Task::Jogging, now) == Episode::Change::Ends)
+    log.tell(Severity::Info, EventKind::DrivenByHand, id(), name_ + " is no longer driven by hand.", true);
   follow(now, timing, log);
   return wishFor(timing);
 }
@@ -114,9 +85,12 @@ link::Wish VehicleAgent::decide(Seconds now, const ChannelTiming& timing, EventL
 void VehicleAgent::follow(Seconds now, const ChannelTiming& timing, EventLog& log) {
   const drive::VehicleState expected = drive::predict(state(), history_.commands(), timing.effectiveAt, ability_);
   predicted_ = expected.pose;
-  if (task_ != Task::Running || !follower_ || contact_ != Contact::Connected || !last_) return;
+  if (contact_ != Contact::Connected || !last_) return;
+  if (task_ == Task::Jogging) wished_ = hand_.command(expected.pose.heading, timing.cycle);
+  if (task_ != Task::Running || !follower_) return;
   const drive::VehicleState& given = follower_->wantsPrediction() ? expected : state();
   decision_ = follower_->decide({given, timing.cycle + kUnpredictedDelay}, now);
+  wished_ = decision_->command;
   if (decision_->phase != drive::Phase::Finished || abs(estimate_.speed) > kStanding) return;
   task_ = Task::Finished;
   log.tell(Severity::Info, EventKind::RouteFinished, id(),
@@ -129,13 +103,13 @@ link::Wish VehicleAgent::wishFor(const ChannelTiming& timing) const {
     wish.mode = wire::CommandMode::Clear;
   } else if (task_ == Task::None) {
     wish.mode = wire::CommandMode::Poll;
-  } else if (task_ != Task::Running || !decision_ || !estimate_.located) {
+  } else if (!wished_ || !(task_ == Task::Jogging || (task_ == Task::Running && estimate_.located))) {
     wish.mode = wire::CommandMode::Stop;
   } else {
     wish.mode = wire::CommandMode::Drive;
-    wish.speed = decision_->command.speed;
+    wish.speed = wished_->speed;
     // The vehicle holds a heading by its own compass, whose bias the locator has learned.
-    const Radians shown = decision_->command.heading + estimate_.headingBias;
+    const Radians shown = wished_->heading + estimate_.headingBias;
     wish.bearing = floor::toBinaryAngle(floor::bearingOfHeading(shown, map_->site().northToY));
     wish.expiry = std::clamp(kExpiryCycles * timing.cycle, kShortestExpiry, kLongestExpiry);
   }
@@ -157,7 +131,7 @@ std::optional<CommandView> VehicleAgent::commandView(Seconds now) const {
 
 std::string VehicleAgent::waitReason(Seconds now, const PortView& port) const {
   if (task_ == Task::Paused) return name_ + " waits: it was told to pause.";
-  if (task_ != Task::Running) return {};
+  if (task_ != Task::Running && task_ != Task::Jogging) return {};
   if (port.state != PortState::Open)
     return name_ + " waits: " + (port.name.empty() ? "the radio's port" : "the port " + port.name) +
            (port.state == PortState::Lost ? " is lost." : " is not open.");
@@ -180,11 +154,13 @@ std::string VehicleAgent::waitReason(Seconds now, const PortView& port) const {
     case wire::VehicleState::Calibrating:
       return name_ + " waits: it calibrates its compass.";
     case wire::VehicleState::Obstacle:
+      if ((report.faults & wire::kFaultRanger) != 0) return name_ + " waits: one of its rangers does not answer.";
       if (report.range == 255) return name_ + " waits: an obstacle stood before it.";
       return name_ + " waits: an obstacle stands " + std::to_string(report.range) + " cm before it.";
     default:
       break;
   }
+  if (task_ == Task::Jogging) return {};
   if (!estimate_.located) return name_ + " waits: its place is not known. Put it where it reads tags.";
   if (decision_ && decision_->phase == drive::Phase::Lost)
     return name_ + " waits: " + drive::sentence(*decision_, follower_->route());
@@ -210,6 +186,9 @@ VehicleView VehicleAgent::view(Seconds now, const PortView& port, const link::Li
     v.state = report.state;
     v.faults = report.faults;
     v.speed = MetresPerSecond{report.speed / 1000.0};
+    v.heading = reportedHeading();
+    v.headingBias = estimate_.headingBias;
+    v.readersAnswering = report.readers;
     v.batteryVolts = report.battery / 10.0;
     if (report.range != 255) v.obstacle = Metres{report.range / 100.0};
   }
@@ -225,9 +204,11 @@ VehicleView VehicleAgent::view(Seconds now, const PortView& port, const link::Li
     v.crossTrack = decision_->crossTrack;
     v.doing = drive::sentence(*decision_, follower_->route());
   }
+  if (task_ == Task::Jogging) v.doing = "Driven by hand.";
   v.command = commandView(now);
   v.waits = waitReason(now, port);
   v.reads = reads_;
+  v.recentReads = recentReads_;
   v.finished = task_ == Task::Finished;
   return v;
 }

@@ -16,6 +16,7 @@
 #include "supervisor/command_history.h"
 #include "supervisor/episode.h"
 #include "supervisor/event_log.h"
+#include "supervisor/hand_drive.h"
 #include "supervisor/odometer.h"
 #include "supervisor/order.h"
 #include "supervisor/sentences.h"
@@ -45,6 +46,11 @@ public:
   void resume(EventLog& log);
   void stop(EventLog& log);
   void clear() { clearing_ = true; }
+  void jog(const Jog& order, EventLog& log);
+  /// True: the vehicle may be asked to move by itself (to calibrate its compass); a Stop does not hold it any longer.
+  [[nodiscard]] bool letGo(EventLog& log);
+  /// The site was edited; the vehicle itself is what it was.
+  void use(std::shared_ptr<const floor::SiteMap> map);
 
   // What the channel tells of this vehicle.
   void take(const link::Identified& e, EventLog& log);
@@ -66,11 +72,13 @@ public:
 
 private:
   VehicleAgent(std::shared_ptr<const floor::SiteMap> map, floor::VehicleSetup setup);
+  void takeName();
   void refuse(EventLog& log, const std::string& what) const;
   void inTouch(EventLog& log);
   void takeTags(const link::Reported& e, EventLog& log);
   void watchState(Seconds now, EventLog& log);
   void watchPlace(EventLog& log);
+  [[nodiscard]] Radians reportedHeading() const;
   [[nodiscard]] drive::VehicleState state() const;
   void follow(Seconds now, const ChannelTiming& timing, EventLog& log);
   [[nodiscard]] link::Wish wishFor(const ChannelTiming& timing) const;
@@ -80,23 +88,28 @@ private:
   std::shared_ptr<const floor::SiteMap> map_;
   floor::VehicleSetup setup_;
   std::string name_;
+  std::string locatorName_;
   std::string controller_;
   drive::VehicleAbility ability_;
   std::unique_ptr<locate::Locator> locator_;
   std::unique_ptr<drive::RouteFollower> follower_;
   std::string routeName_;
+  HandDrive hand_;
 
   Task task_ = Task::None;
   Contact contact_ = Contact::Calling;
   bool clearing_ = false;
   std::string firmware_;
   std::optional<link::Reported> last_;
-  locate::Estimate estimate_;  ///< at the last report
+  locate::Estimate estimate_;             ///< at the last report
+  std::optional<locate::Motion> motion_;  ///< of the last report
   Odometer odometer_;
   CommandHistory history_;
   std::optional<drive::Decision> decision_;
+  std::optional<drive::Command> wished_;  ///< what a Drive that leaves now says
   Pose predicted_;
   std::uint32_t reads_ = 0;
+  std::vector<ReadView> recentReads_;
 
   struct Sent {
     CommandView view;
@@ -115,6 +128,8 @@ private:
   Episode forged_{Seconds{5.0}};
   Episode replayed_{Seconds{5.0}};
   Episode strange_{Seconds{5.0}};
+  Episode byHand_{Seconds{3.0}};
+  Episode jogRefused_{Seconds{1.0}};
   std::vector<Episode> faults_;  ///< in the order of faultTexts()
   std::set<floor::TagUid> unknownTags_;
   bool everLocated_ = false;

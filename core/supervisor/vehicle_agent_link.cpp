@@ -117,11 +117,11 @@ void VehicleAgent::take(const link::CommandSent& e) {
   sent.view.sentAt = e.sentAt;
   sent.counter = e.counter;
   sent.effectiveAt = e.effectiveAt;
-  if (e.entry.mode == wire::CommandMode::Drive && decision_) {
-    sent.view.speed = decision_->command.speed;
-    sent.view.heading = decision_->command.heading;
+  if (e.entry.mode == wire::CommandMode::Drive && wished_) {
+    sent.view.speed = wished_->speed;
+    sent.view.heading = wished_->heading;
     sent.view.expiry = expiry;
-    history_.drive(decision_->command, e.effectiveAt, expiry);
+    history_.drive(*wished_, e.effectiveAt, expiry);
   } else {
     history_.stand(e.effectiveAt);
     // A Stop is repeated for as long as it holds; once taken it stays taken.
@@ -158,9 +158,9 @@ void VehicleAgent::take(const link::Disbelieved& e, Seconds now, EventLog& log) 
 
 void VehicleAgent::take(const link::Reported& e, EventLog& log) {
   last_ = e;
-  const Radians bearing = floor::fromBinaryAngle(e.report.bearing);
-  locator_->add(locate::Motion{e.sampledAt, odometer_.add(e.report.travel), MetresPerSecond{e.report.speed / 1000.0},
-                               floor::headingOfBearing(bearing, map_->site().northToY)});
+  motion_ = locate::Motion{e.sampledAt, odometer_.add(e.report.travel), MetresPerSecond{e.report.speed / 1000.0},
+                           reportedHeading()};
+  locator_->add(*motion_);
   takeTags(e, log);
   estimate_ = locator_->at(locator_->lastMotion());
   watchPlace(log);
@@ -180,6 +180,8 @@ void VehicleAgent::takeTags(const link::Reported& e, EventLog& log) {
     const auto uid = floor::TagUid::fromBytes(wire::Bytes{tag.event.uid}.first(wire::uidLength(tag.event.kind)));
     if (!uid) continue;
     ++reads_;
+    if (recentReads_.size() == kRecentReads) recentReads_.erase(recentReads_.begin());
+    recentReads_.push_back({*uid, tag.event.reader, tag.at, map_->find(*uid)});
     locator_->add(locate::TagRead{tag.event.reader, *uid, tag.at});
     const bool news = !map_->find(*uid) && unknownTags_.size() < kMaxUnknownTags && unknownTags_.insert(*uid).second;
     if (news)
@@ -202,7 +204,10 @@ void VehicleAgent::watchPlace(EventLog& log) {
 
 void VehicleAgent::watchState(Seconds now, EventLog& log) {
   const wire::Report& report = last_->report;
-  const Change obstacle = obstacle_.update(report.state == wire::VehicleState::Obstacle, now);
+  // A vehicle that a dead ranger holds reports the same state: whether something stands there, it does not know.
+  const bool stands = report.state == wire::VehicleState::Obstacle;
+  const bool blind = (report.faults & wire::kFaultRanger) != 0;
+  const Change obstacle = stands && blind ? Change::None : obstacle_.update(stands, now);
   if (obstacle == Change::Begins)
     log.tell(Severity::Warning, EventKind::Obstacle, id(),
              name_ + " stands before an obstacle" +

@@ -1,0 +1,27 @@
+#include "supervisor/site_change.h"
+
+#include <algorithm>
+
+namespace tessera::supervisor {
+
+bool sameFleet(const floor::Site& before, const floor::Site& after) {
+  if (before.radio != after.radio || before.vehicles.size() != after.vehicles.size()) return false;
+  return std::all_of(before.vehicles.begin(), before.vehicles.end(), [&](floor::VehicleSetup was) {
+    const auto is = std::find_if(after.vehicles.begin(), after.vehicles.end(),
+                                 [&](const floor::VehicleSetup& v) { return v.id == was.id; });
+    if (is == after.vehicles.end()) return false;
+    was.name = is->name;
+    was.start = is->start;
+    return was == *is;
+  });
+}
+
+bool sameFloor(const floor::SiteMap& before, const floor::SiteMap& after) {
+  if (&before == &after) return true;
+  return before.site().northToY == after.site().northToY &&
+         std::equal(
+             before.tags().begin(), before.tags().end(), after.tags().begin(), after.tags().end(),
+             [](const floor::PlacedTag& a, const floor::PlacedTag& b) { return a.uid == b.uid && a.place == b.place; });
+}
+
+}  // namespace tessera::supervisor

@@ -1,0 +1,15 @@
+// What may change of a site while its vehicles are supervised, and what of it they notice.
+#pragma once
+
+#include "floor/site_map.h"
+
+namespace tessera::supervisor {
+
+/// Whether supervision can go on with the new site: the same radio and the same vehicles. Their names and start places
+/// may differ.
+[[nodiscard]] bool sameFleet(const floor::Site& before, const floor::Site& after);
+
+/// Whether tags lie where they lay, and north is where it was, so that locators need not begin anew.
+[[nodiscard]] bool sameFloor(const floor::SiteMap& before, const floor::SiteMap& after);
+
+}  // namespace tessera::supervisor
