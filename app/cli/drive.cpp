@@ -71,10 +71,13 @@ int drive(const Words& words) {
 }  // namespace
 
 void addDrive(CLI::App& app, Run& run) {
-  auto* command = app.add_subcommand("drive", "Drive vehicles along routes over a serial port");
+  auto* command = app.add_subcommand("drive", "Drive vehicles along routes over a serial port or a device server");
   auto words = std::make_shared<Words>();
   command->add_option("SITE", words->site, "A *.tessera.json file")->required();
-  command->add_option("--port", words->port, "Serial port of the host's radio, e.g. /dev/ttyUSB0")->required();
+  command
+      ->add_option("--port", words->port,
+                   "Port of the host's radio: a serial device, e.g. /dev/ttyUSB0, or a device server, tcp://HOST:PORT")
+      ->required();
   command->add_option("--drive", words->drives, "ID=ROUTE: a vehicle and its route; may be given several times")
       ->required();
   command->add_option("--speed", words->speed, "Speed asked for, m/s")

@@ -80,10 +80,9 @@ Result<RunEnd> runOnPort(const PortRunSpec& spec, experiment::Recorder& recorder
   config.seed = QRandomGenerator::system()->generate64();
   auto supervisor = supervisor::Supervisor::create(spec.map, config);
   if (!supervisor) return tl::unexpected{supervisor.error()};
-  host::SerialPort::Options port;
-  port.name = QString::fromStdString(spec.port);
-  port.baud = spec.map->site().radio.baud;
-  host::SupervisorThread thread{std::move(*supervisor), port};
+  const auto port = host::PortChoice::parse(QString::fromStdString(spec.port), spec.map->site().radio.baud);
+  if (!port) return tl::unexpected{port.error()};
+  host::SupervisorThread thread{std::move(*supervisor), *port};
   Dispatcher dispatcher{spec, recorder};
   const Seconds begin = host::steadyNow();
   RunEnd end = RunEnd::TimeUp;

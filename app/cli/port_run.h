@@ -19,7 +19,7 @@ class ProgressLine;
 struct PortRunSpec {
   std::shared_ptr<const floor::SiteMap> map;
   supervisor::Config config;
-  std::string port;
+  std::string port;  ///< as host::PortChoice::parse() takes it
   MetresPerSecond speed;
   Seconds limit;  ///< after the port was given
   bool printEvents = true;

@@ -1,7 +1,5 @@
 #include "host/serial_port.h"
 
-#include <algorithm>
-
 namespace tessera::host {
 namespace {
 
@@ -24,35 +22,15 @@ QString reasonOf(QSerialPort::SerialPortError error, const QString& text) {
 
 }  // namespace
 
-SerialPort::SerialPort(Options options, QObject* parent)
-    : QObject{parent}, options_{std::move(options)}, port_{this}, again_{this}, pause_{options_.firstPause} {
-  again_.setSingleShot(true);
-  connect(&again_, &QTimer::timeout, this, &SerialPort::tryOpen);
+SerialPort::SerialPort(const QString& device, qint32 baud, RetryPauses pauses, QObject* parent)
+    : BytePort{device, pauses, parent}, baud_{baud}, port_{this} {
   connect(&port_, &QSerialPort::errorOccurred, this, &SerialPort::onError);
-  connect(&port_, &QSerialPort::readyRead, this, [this] {
-    const QByteArray bytes = port_.readAll();
-    if (open_ && !bytes.isEmpty()) emit received(bytes);
-  });
+  connect(&port_, &QSerialPort::readyRead, this, [this] { hear(port_.readAll()); });
 }
 
-void SerialPort::open() {
-  wanted_ = true;
-  told_ = false;
-  pause_ = options_.firstPause;
-  tryOpen();
-}
-
-void SerialPort::close() {
-  wanted_ = false;
-  open_ = false;
-  again_.stop();
-  port_.close();
-}
-
-void SerialPort::tryOpen() {
-  if (!wanted_ || open_) return;
-  port_.setPortName(options_.name);
-  port_.setBaudRate(options_.baud);
+void SerialPort::begin() {
+  port_.setPortName(name());
+  port_.setBaudRate(baud_);
   port_.setDataBits(QSerialPort::Data8);
   port_.setParity(QSerialPort::NoParity);
   port_.setStopBits(QSerialPort::OneStop);
@@ -63,49 +41,38 @@ void SerialPort::tryOpen() {
   }
   // What waits in the driver is from before; a frame cut in half by the opening helps nobody.
   port_.clear();
-  open_ = true;
-  told_ = false;
-  pause_ = options_.firstPause;
-  emit opened(options_.name);
+  nowOpen();
 }
 
-bool SerialPort::write(std::span<const std::uint8_t> bytes) {
-  if (!open_) return false;
-  const auto size = static_cast<qint64>(bytes.size());
-  if (port_.bytesToWrite() + size > kMaxBacklog) {
-    fail(QStringLiteral("the other end does not read"));
-    return false;
-  }
-  // Not flush(): with a full buffer in the kernel it fails instead of waiting for the event loop.
-  return port_.write(reinterpret_cast<const char*>(bytes.data()), size) == size && open_;
+bool SerialPort::setLines(bool rts, bool dtr) {
+  // Both are tried, as an adapter may have one of them only.
+  const bool first = isOpen() && port_.setRequestToSend(rts);
+  const bool second = isOpen() && port_.setDataTerminalReady(dtr);
+  return first && second;
 }
+
+// Not flush(): with a full buffer in the kernel it fails instead of waiting for the event loop.
+bool SerialPort::send(const char* bytes, qint64 size) { return port_.write(bytes, size) == size; }
 
 void SerialPort::onError(QSerialPort::SerialPortError error) {
   switch (error) {
     case QSerialPort::ReadError:
     case QSerialPort::WriteError:
     case QSerialPort::ResourceError:
-      if (open_) fail(reasonOf(error, port_.errorString()));
+      if (isOpen()) fail(reasonOf(error, port_.errorString()));
       return;
     default:
-      // Failures of opening are told by tryOpen(). Others are settings that a pty does not have; they do no harm.
+      // Failures of opening are told by begin(). Others are settings and lines that a pty does not have; no harm.
       return;
   }
 }
 
-// Closes it, once; the errors that follow find it closed.
-void SerialPort::fail(const QString& reason) {
-  open_ = false;
-  if (port_.isOpen()) {
-    const QSignalBlocker quiet{&port_};
-    port_.clear(QSerialPort::Output);
-    port_.close();
-  }
-  again_.start(pause_);
-  pause_ = std::min(2 * pause_, options_.longestPause);
-  if (told_) return;
-  told_ = true;
-  emit lost(reason);
+// The errors that closing brings, and those that follow a loss, are nobody's business.
+void SerialPort::drop() {
+  if (!port_.isOpen()) return;
+  const QSignalBlocker quiet{&port_};
+  port_.clear(QSerialPort::Output);
+  port_.close();
 }
 
 }  // namespace tessera::host

@@ -1,59 +1,32 @@
-// The edge between Qt's serial port and bytes: opens it, opens it again when it was lost, and tells each loss once.
+// The edge between Qt's serial port and bytes; the path of a pty is one as well.
 //
 // What QSerialPort does by itself and this class keeps away from the rest: when the other end of a pty closes, it emits
 // errors without end while it still calls itself open; its write buffer grows without bound when nobody reads.
 #pragma once
 
-#include <QByteArray>
-#include <QObject>
 #include <QSerialPort>
-#include <QString>
-#include <QTimer>
-#include <chrono>
-#include <cstdint>
-#include <span>
+
+#include "host/byte_port.h"
 
 namespace tessera::host {
 
-class SerialPort : public QObject {
+class SerialPort : public BytePort {
   Q_OBJECT
 public:
-  struct Options {
-    QString name;  ///< "/dev/ttyUSB0", "COM3", or the path of a pty
-    qint32 baud = 115200;
-    std::chrono::milliseconds firstPause{100};  ///< before it is opened again; doubles
-    std::chrono::milliseconds longestPause{1000};
-  };
-  /// Bytes that may wait for the other end to read; with more it counts as lost.
-  static constexpr qint64 kMaxBacklog = 4096;
+  /// device: "/dev/ttyUSB0", "COM3", or the path of a pty. 8N1 without flow control.
+  SerialPort(const QString& device, qint32 baud, RetryPauses pauses = {}, QObject* parent = nullptr);
 
-  explicit SerialPort(Options options, QObject* parent = nullptr);
-
-  /// Opens it now or, with ever longer pauses, as soon as it is there.
-  void open();
-  void close();
-  [[nodiscard]] bool isOpen() const { return open_; }
-  /// Hands over bytes in one go. False: not open, or lost by this.
-  bool write(std::span<const std::uint8_t> bytes);
-
-signals:
-  void opened(const QString& name);
-  /// Once until it is opened again; reason: the end of a sentence, "the device is gone".
-  void lost(const QString& reason);
-  void received(const QByteArray& bytes);
+  bool setLines(bool rts, bool dtr) override;
 
 private:
-  void tryOpen();
+  void begin() override;
+  void drop() override;
+  [[nodiscard]] qint64 backlog() const override { return port_.bytesToWrite(); }
+  [[nodiscard]] bool send(const char* bytes, qint64 size) override;
   void onError(QSerialPort::SerialPortError error);
-  void fail(const QString& reason);
 
-  Options options_;
+  qint32 baud_;
   QSerialPort port_;
-  QTimer again_;
-  std::chrono::milliseconds pause_;
-  bool wanted_ = false;
-  bool open_ = false;
-  bool told_ = false;
 };
 
 }  // namespace tessera::host

@@ -10,10 +10,10 @@ Seconds steadyNow() {
   return Seconds{std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count()};
 }
 
-SupervisorThread::SupervisorThread(supervisor::Supervisor supervisor, SerialPort::Options port, QObject* parent)
+SupervisorThread::SupervisorThread(supervisor::Supervisor supervisor, const PortChoice& port, QObject* parent)
     : QObject{parent},
       mailbox_{std::make_shared<supervisor::Mailbox>()},
-      worker_{std::make_unique<SupervisorWorker>(std::move(supervisor), mailbox_, std::move(port))} {
+      worker_{std::make_unique<SupervisorWorker>(std::move(supervisor), mailbox_, port)} {
   thread_.setObjectName(QStringLiteral("supervisor"));
   worker_->moveToThread(&thread_);
   const auto direct = Qt::DirectConnection;

@@ -7,7 +7,7 @@
 #include <atomic>
 #include <memory>
 
-#include "host/serial_port.h"
+#include "host/port_choice.h"
 #include "supervisor/mailbox.h"
 #include "supervisor/supervisor.h"
 
@@ -21,7 +21,7 @@ class SupervisorWorker;
 class SupervisorThread : public QObject {
   Q_OBJECT
 public:
-  SupervisorThread(supervisor::Supervisor supervisor, SerialPort::Options port, QObject* parent = nullptr);
+  SupervisorThread(supervisor::Supervisor supervisor, const PortChoice& port, QObject* parent = nullptr);
   /// Closes, if that has not been done.
   ~SupervisorThread() override;
 

@@ -8,21 +8,21 @@
 namespace tessera::host {
 
 SupervisorWorker::SupervisorWorker(supervisor::Supervisor supervisor, std::shared_ptr<supervisor::Mailbox> mailbox,
-                                   SerialPort::Options port)
-    : pump_{std::move(supervisor), std::move(mailbox)}, port_{std::move(port), this}, timer_{this} {
+                                   const PortChoice& port)
+    : pump_{std::move(supervisor), std::move(mailbox)}, port_{makePort(port, this)}, timer_{this} {
   timer_.setSingleShot(true);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &SupervisorWorker::turn);
-  connect(&port_, &SerialPort::opened, this, [this](const QString& name) {
+  connect(port_.get(), &BytePort::opened, this, [this](const QString& name) {
     pump_.supervisor().portOpened(name.toStdString(), steadyNow());
     turn();
   });
   // Not turn(): it may be a write of the turn itself that lost the port.
-  connect(&port_, &SerialPort::lost, this, [this](const QString& reason) {
+  connect(port_.get(), &BytePort::lost, this, [this](const QString& reason) {
     pump_.supervisor().portLost(reason.toStdString(), steadyNow());
     timer_.start(0);
   });
-  connect(&port_, &SerialPort::received, this, [this](const QByteArray& bytes) {
+  connect(port_.get(), &BytePort::received, this, [this](const QByteArray& bytes) {
     const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.constData());
     pump_.supervisor().ingest({data, static_cast<std::size_t>(bytes.size())}, steadyNow());
     turn();
@@ -30,7 +30,7 @@ SupervisorWorker::SupervisorWorker(supervisor::Supervisor supervisor, std::share
 }
 
 void SupervisorWorker::start() {
-  port_.open();
+  port_->open();
   turn();
 }
 
@@ -45,14 +45,14 @@ void SupervisorWorker::turn() {
   // The next turn is arranged before the write, which may arrange an earlier one.
   const double pause = std::clamp((done.wake - steadyNow()).value(), 0.0, 1.0);
   timer_.start(std::chrono::milliseconds{static_cast<int>(std::ceil(pause * 1000.0))});
-  if (!done.bytes.empty()) port_.write(done.bytes);
+  if (!done.bytes.empty()) port_->write(done.bytes);
   if (done.newSnapshot) emit newSnapshot();
   if (done.newEvents) emit newEvents();
   if (!done.closed) return;
   ended_ = true;
   timer_.stop();
   const bool allStood = pump_.supervisor().allStopped();
-  port_.close();
+  port_->close();
   emit closed(allStood);
 }
 

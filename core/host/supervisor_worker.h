@@ -5,7 +5,7 @@
 #include <QTimer>
 #include <atomic>
 
-#include "host/serial_port.h"
+#include "host/port_choice.h"
 #include "supervisor/pump.h"
 
 namespace tessera::host {
@@ -14,7 +14,7 @@ class SupervisorWorker : public QObject {
   Q_OBJECT
 public:
   SupervisorWorker(supervisor::Supervisor supervisor, std::shared_ptr<supervisor::Mailbox> mailbox,
-                   SerialPort::Options port);
+                   const PortChoice& port);
 
   void start();
   /// Stops the vehicles; closed() follows when they stand, or after `patience`.
@@ -29,7 +29,7 @@ signals:
 
 private:
   supervisor::Pump pump_;
-  SerialPort port_;
+  std::unique_ptr<BytePort> port_;  ///< a child as well, so that it follows to the thread
   QTimer timer_;
   bool ended_ = false;
 };

@@ -5,21 +5,18 @@
 #include <QCoreApplication>
 
 #include "host/pty_radio.h"
+#include "host/until.h"
 
 namespace tessera::host {
 namespace {
 
 using namespace std::chrono_literals;
 
-bool until(const std::function<bool()>& condition, double seconds = 5) {
-  const Seconds end = steadyNow() + Seconds{seconds};
-  while (!condition() && steadyNow() < end) QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
-  return condition();
-}
+using test::until;
 
 class SerialPortTest : public ::testing::Test {
 protected:
-  SerialPortTest() : radio{{}}, port{{QString::fromStdString(radio.name()), 115200, 20ms, 50ms}} {
+  SerialPortTest() : radio{{}}, port{QString::fromStdString(radio.name()), 115200, {20ms, 50ms}} {
     QObject::connect(&port, &SerialPort::opened, [this] { ++opened; });
     QObject::connect(&port, &SerialPort::lost, [this](const QString& why) {
       ++lost;

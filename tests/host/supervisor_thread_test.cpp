@@ -26,7 +26,7 @@ protected:
   void make() {
     thread = std::make_unique<SupervisorThread>(
         supervisor::Supervisor::create(map, {}).value(),
-        SerialPort::Options{QString::fromStdString(radio.name()), 115200, 20ms, 100ms});
+        PortChoice{PortChoice::Serial{QString::fromStdString(radio.name()), 115200}, {20ms, 100ms}});
     thread->start();
   }
   bool until(const std::function<bool()>& condition, double seconds = 10) {

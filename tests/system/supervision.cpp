@@ -17,10 +17,8 @@ std::shared_ptr<const floor::SiteMap> Supervision::mapOf(const std::string& site
 }
 
 Supervision::Supervision(const std::string& site, const std::string& port) : map_{mapOf(site)} {
-  host::SerialPort::Options options;
-  options.name = QString::fromStdString(port);
-  options.baud = map_->site().radio.baud;
-  thread_ = std::make_unique<host::SupervisorThread>(supervisor::Supervisor::create(map_, {}).value(), options);
+  const auto choice = host::PortChoice::parse(QString::fromStdString(port), map_->site().radio.baud).value();
+  thread_ = std::make_unique<host::SupervisorThread>(supervisor::Supervisor::create(map_, {}).value(), choice);
   thread_->start();
 }
 
@@ -64,7 +62,7 @@ bool Supervision::hears(EventKind kind, bool over) {
 
 std::string Supervision::sentences() const {
   std::string all;
-  for (const auto& e : events_) all += std::to_string(e.time.value()) + " s: " + e.sentence + "\n";
+  for (const auto& e : events_) all += std::to_string(e.time.value()) + " s: " + e.sentence.english() + "\n";
   return all;
 }
 
