@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ui/base/connection_choice.h"
-#include "ui/connect/notice.h"
+#include "ui/base/notice.h"
 #include "ui/connect/serial_box.h"
 #include "ui/connect/tcp_box.h"
 

@@ -61,8 +61,8 @@ void RadioDialog::layOut() {
   table_.setSelectionMode(QAbstractItemView::NoSelection);
   table_.setFocusPolicy(Qt::NoFocus);
   table_.horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  table_.setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
   table_.setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  table_.verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   for (QPushButton* button : {&read_, &write_, &cancel_}) button->setAutoDefault(false);
 
   auto* top = new QHBoxLayout;
@@ -166,7 +166,8 @@ void RadioDialog::fill() {
     }
   }
   table_.resizeRowsToContents();
-  table_.updateGeometry();
+  table_.setFixedHeight(table_.verticalHeader()->length() + table_.horizontalHeader()->sizeHint().height() +
+                        2 * table_.frameWidth());
 }
 
 void RadioDialog::done(int result) {

@@ -13,7 +13,7 @@
 #include "floor/site.h"
 #include "ui/base/radio_bench.h"
 #include "ui/connect/jumper_picture.h"
-#include "ui/connect/notice.h"
+#include "ui/base/notice.h"
 
 namespace tessera::ui {
 

@@ -69,7 +69,7 @@ void RecentList::fill() {
     for (int column = 0; column < kRecentColumns; ++column) {
       item->setToolTip(column, site.missing ? tr("%1 is no longer there.").arg(QDir::toNativeSeparators(site.path))
                                             : QDir::toNativeSeparators(site.path));
-      if (site.missing) item->setForeground(column, palette().brush(QPalette::Disabled, QPalette::Text));
+      if (site.missing) item->setForeground(column, palette().brush(QPalette::PlaceholderText));
     }
     if (site.missing) item->setText(kOpened, tr("not found"));
   }

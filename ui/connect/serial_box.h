@@ -7,7 +7,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "ui/connect/notice.h"
+#include "ui/base/notice.h"
 #include "ui/connect/port_found.h"
 
 namespace tessera::ui {

@@ -1,4 +1,4 @@
-#include "ui/connect/notice.h"
+#include "ui/base/notice.h"
 
 #include <QPainter>
 
