@@ -105,6 +105,16 @@ Answer obstacle(const Words& w, sim::World& world) {
   return "a post stands there";
 }
 
+Answer ranger(const Words& w, sim::World& world) {
+  const auto id = vehicle(w, world);
+  const auto which = w.size() == 4 ? number(w[2]) : std::nullopt;
+  const bool known = which && *which >= 0 && *which < firmware::kRangers && std::floor(*which) == *which;
+  if (!id || !known || (w[3] != "off" && w[3] != "on"))
+    return misused("ranger ID N off, or ranger ID N on, with N 0 for the left one and 1 for the right one");
+  world.body(*id)->rangers().setDead(static_cast<std::size_t>(*which), w[3] == "off");
+  return "ranger " + w[2] + " of vehicle " + w[1] + (w[3] == "off" ? " is dead" : " answers again");
+}
+
 Answer noise(const Words& w, sim::World& world) {
   const auto n = count(w, 100'000);
   if (!n) return misused("noise N, with N from 1 to 100000");
@@ -155,8 +165,9 @@ Answer where(const Words& w, sim::World& world) {
 
 using Command = Answer (*)(const Words&, sim::World&);
 const std::map<std::string, Command, std::less<>> kCommands{
-    {"kill", kill},     {"start", start},     {"push", push}, {"obstacle", obstacle}, {"noise", noise},
-    {"inject", inject}, {"corrupt", corrupt}, {"drop", drop}, {"replay", replay},     {"where", where}};
+    {"kill", kill},     {"start", start},   {"push", push},     {"obstacle", obstacle},
+    {"ranger", ranger}, {"noise", noise},   {"inject", inject}, {"corrupt", corrupt},
+    {"drop", drop},     {"replay", replay}, {"where", where}};
 
 }  // namespace
 

@@ -16,6 +16,8 @@ inline constexpr const char* kCommandHelp =
     "  push ID DX DY DTHETA     lift and set down: metres along the site's axes, degrees counter-clockwise\n"
     "  obstacle X Y R           put a post of radius R there, in metres\n"
     "  obstacle clear           take all posts away\n"
+    "  ranger ID N off          pull the cable of a ranger: 0 is the left one, 1 the right one\n"
+    "  ranger ID N on           put it back\n"
     "  noise N                  N random bytes on the air (at most 100000)\n"
     "  inject HEX               these bytes on the air, e.g. inject A5000103\n"
     "  corrupt N                change one byte in each of the next N packets\n"

@@ -52,6 +52,10 @@ std::array<Metres, firmware::kRangers> Rangers::measure(const Pose& vehicle, con
     const double seen = nearestIn(scene, placeOf(vehicle, parameters_.places[i]), vehicle.heading);
     const double noise = random_.normal(parameters_.noise.value());
     const bool missed = random_.chance(parameters_.miss);
+    if (dead_[i]) {
+      ranges[i] = Metres{std::numeric_limits<double>::quiet_NaN()};
+      continue;
+    }
     if (missed || seen > parameters_.farthest.value()) continue;
     ranges[i] = std::max(parameters_.nearest, Metres{seen + noise});
   }

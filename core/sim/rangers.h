@@ -41,7 +41,10 @@ class Rangers {
 public:
   Rangers(const RangerParameters& parameters, RandomStream random) : parameters_{parameters}, random_{random} {}
 
-  /// Distance that each ranger would measure now; 0 for no echo.
+  /// Its cable is pulled, or put back.
+  void setDead(std::size_t ranger, bool dead) { dead_.at(ranger) = dead; }
+
+  /// Distance that each ranger would measure now, as in Signals::range: 0 for no echo, NaN for a dead one.
   [[nodiscard]] std::array<Metres, firmware::kRangers> measure(const Pose& vehicle, const Scene& scene);
 
 private:
@@ -49,6 +52,7 @@ private:
 
   RangerParameters parameters_;
   RandomStream random_;
+  std::array<bool, firmware::kRangers> dead_{};
 };
 
 }  // namespace tessera::sim

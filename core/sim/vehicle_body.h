@@ -73,6 +73,7 @@ public:
   void setScene(Scene scene) { scene_ = std::move(scene); }
   [[nodiscard]] Plant& plant() { return plant_; }
   [[nodiscard]] ReaderRow& readers() { return readers_; }
+  [[nodiscard]] Rangers& rangers() { return rangers_; }
   [[nodiscard]] VehicleHost& host() { return *host_; }
   [[nodiscard]] const VehicleHost& host() const { return *host_; }
 

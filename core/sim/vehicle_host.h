@@ -16,10 +16,12 @@ namespace tessera::sim {
 
 /// What sensors and pins show to the firmware at one instant.
 struct Signals {
-  std::array<std::int64_t, 2> encoderCounts{};     ///< left, right; quadrature counts since the start of the world
-  std::array<double, 3> field{};                   ///< µT along the compass chip's x, y, z axes, noise included
-  std::array<Metres, firmware::kRangers> range{};  ///< distance each ranger would measure; 0 or less: no echo
-  bool radioReady = true;                          ///< AUX
+  std::array<std::int64_t, 2> encoderCounts{};  ///< left, right; quadrature counts since the start of the world
+  std::array<double, 3> field{};                ///< µT along the compass chip's x, y, z axes, noise included
+  /// Distance each ranger would measure. 0 or less: nothing in reach, its pulse ends after 38 ms; NaN: the ranger is
+  /// dead and gives no pulse at all.
+  std::array<Metres, firmware::kRangers> range{};
+  bool radioReady = true;  ///< AUX
 };
 
 /// What the firmware put on its pins and wires since it was last asked.

@@ -85,7 +85,7 @@ enum class VehicleState : std::uint8_t {
   Standing = 0,  ///< stopped by command, or never commanded
   Driving = 1,
   Turning = 2,   ///< on the spot
-  Obstacle = 3,  ///< stopped before an obstacle; goes on when it is gone and commands still come
+  Obstacle = 3,  ///< stopped before an obstacle, or by kFaultRanger; goes on when it is gone and commands still come
   Expired = 4,   ///< stopped because commands stopped coming
   Calibrating = 5,
   Faulted = 6,  ///< stopped by a latched fault, until Clear
@@ -105,7 +105,7 @@ enum Fault : std::uint16_t {
   kFaultForged = 1U << 9,        ///< since the last report a command was refused: wrong MAC
   kFaultReplayed = 1U << 10,     ///< since the last report a command was refused: seen before
   kFaultEventsLost = 1U << 11,   ///< tag events were dropped because the host did not fetch them
-  kFaultRanger = 1U << 12,       ///< a ranger's echoes are too short to be of any distance
+  kFaultRanger = 1U << 12,       ///< a ranger does not answer, which counts as an obstacle
 };
 
 enum class EventKind : std::uint8_t { Left = 0, Uid4 = 1, Uid7 = 2, Uid10 = 3 };

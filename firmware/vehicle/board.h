@@ -47,7 +47,8 @@ public:
 
   /// Sends a trigger pulse of at least 10 µs. The echo is measured in the background.
   virtual void ping(std::size_t ranger) = 0;
-  /// Length in µs of the echo that answered the last ping; 0 while none has come.
+  /// Length in µs of the pulse that answered the last ping, some 38 ms when nothing was in reach; 0 while none has
+  /// come to its end.
   virtual std::uint32_t echo(std::size_t ranger) = 0;
 
   /// To be called at least every 0.5 s, or the vehicle restarts.

@@ -5,11 +5,12 @@
 namespace tessera::firmware {
 namespace {
 
-constexpr Micros kStep = 35ms;  // two rangers: 70 ms each
+constexpr Micros kStep = 35ms;  // at least; on a tick of 10 ms that makes 40, and 80 for each of two rangers
 constexpr float kMetresPerMicro = 1e-2F / 58.0F;
 constexpr std::uint32_t kShortest = 116;    // µs, 2 cm
-constexpr std::uint32_t kLongest = 23'200;  // µs, 4 m; without an echo the sensor ends its pulse by itself after 38 ms
+constexpr std::uint32_t kLongest = 25'000;  // µs; with nothing in reach the sensor ends its pulse by itself after 38 ms
 constexpr int kTooShortToFault = 10;
+constexpr int kSilentToFault = 5;
 constexpr float kHysteresis = 0.05F;
 constexpr Micros kClearTime = 1s;
 
@@ -18,19 +19,31 @@ constexpr Micros kClearTime = 1s;
 void Rangers::tick(Micros now) {
   if (now < next_) return;
   next_ = now + kStep;
-  if (pinged_) collect(rangers_[turn_], board_.echo(turn_));
   turn_ = (turn_ + 1) % rangers_.size();
+  // The last ping's pulse had the time until now to come to its end.
+  Ranger& ranger = rangers_[turn_];
+  if (ranger.pinged) collect(ranger, board_.echo(turn_), now);
   board_.ping(turn_);
-  pinged_ = true;
+  ranger.pinged = true;
   judge(now);
 }
 
+// No pulse, or one that no distance makes, says nothing of the way: the distance stays until the ranger is given up.
+void Rangers::collect(Ranger& ranger, std::uint32_t echo, Micros now) {
+  ranger.silent = echo == 0 ? std::min(ranger.silent + 1, kSilentToFault) : 0;
+  ranger.tooShort = echo > 0 && echo < kShortest ? std::min(ranger.tooShort + 1, kTooShortToFault) : 0;
+  if (ranger.silent >= kSilentToFault || ranger.tooShort >= kTooShortToFault) ranger.faulty = true;
+  if (echo < kShortest) {
+    ranger.unanswered = now;
+    return;
+  }
+  if (now - ranger.unanswered >= kClearTime) ranger.faulty = false;
+  take(ranger, echo > kLongest ? kFree : static_cast<float>(echo) * kMetresPerMicro);
+}
+
 // The median of five bears two outliers, which late interrupts make in either direction.
-void Rangers::collect(Ranger& ranger, std::uint32_t echo) {
-  const bool tooShort = echo > 0 && echo < kShortest;
-  ranger.tooShort = tooShort ? std::min(ranger.tooShort + 1, kTooShortToFault) : 0;
-  const bool free = echo == 0 || echo > kLongest || tooShort;
-  ranger.last[ranger.next] = free ? kFree : static_cast<float>(echo) * kMetresPerMicro;
+void Rangers::take(Ranger& ranger, float distance) {
+  ranger.last[ranger.next] = distance;
   ranger.next = (ranger.next + 1) % kWindow;
   auto sorted = ranger.last;
   std::sort(sorted.begin(), sorted.end());
@@ -39,7 +52,8 @@ void Rangers::collect(Ranger& ranger, std::uint32_t echo) {
 
 float Rangers::nearest() const {
   float distance = kFree;
-  for (const Ranger& r : rangers_) distance = std::min(distance, r.distance);
+  for (const Ranger& r : rangers_)
+    if (!r.faulty) distance = std::min(distance, r.distance);
   return distance;
 }
 
@@ -57,7 +71,7 @@ std::uint8_t Rangers::nearestCm() const {
 }
 
 bool Rangers::faulty() const {
-  return std::any_of(rangers_.begin(), rangers_.end(), [](const Ranger& r) { return r.tooShort >= kTooShortToFault; });
+  return std::any_of(rangers_.begin(), rangers_.end(), [](const Ranger& r) { return r.faulty; });
 }
 
 }  // namespace tessera::firmware

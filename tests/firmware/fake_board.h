@@ -20,7 +20,7 @@ public:
   bool aux = true;
   std::array<int, 2> duty{};
   std::array<std::int32_t, 2> encoder{};
-  std::array<std::uint32_t, kRangers> echoes{};
+  std::array<std::uint32_t, kRangers> echoes{38'000, 38'000};  ///< µs; nothing in reach. 0: a ranger that is dead
   std::array<std::vector<std::uint64_t>, kRangers> pings;
   int fed = 0;
   int restarts = 0;

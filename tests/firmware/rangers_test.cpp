@@ -29,7 +29,7 @@ TEST(Rangers, pingEachOtherRangerMoreThanSixtyMillisecondsApart) {
   }
 }
 
-TEST(Rangers, seeNothingWithoutEchoes) {
+TEST(Rangers, seeNothingWithNothingInReach) {
   RangerBench bench;
   bench.run(2'000'000);
   EXPECT_FALSE(bench.rangers.obstacle());
@@ -86,6 +86,10 @@ TEST(Rangers, neverStopWithAStopDistanceOfZero) {
   bench.board.echoes[0] = echoOf(0.05);
   bench.run(1'000'000);
   EXPECT_FALSE(bench.rangers.obstacle());
+  bench.board.echoes[0] = 0;
+  bench.run(1'000'000);
+  EXPECT_TRUE(bench.rangers.faulty());
+  EXPECT_FALSE(bench.rangers.obstacle());
 }
 
 TEST(Rangers, takeThePulseOfAnUnansweredPingForFreeSpace) {
@@ -100,10 +104,81 @@ TEST(Rangers, sayThatALineIsStuck) {
   bench.board.echoes[1] = 20;
   bench.run(2'000'000);
   EXPECT_TRUE(bench.rangers.faulty());
-  EXPECT_FALSE(bench.rangers.obstacle());
+  EXPECT_TRUE(bench.rangers.obstacle());
+  EXPECT_EQ(bench.rangers.nearestCm(), 255);
   bench.board.echoes[1] = echoOf(1.0);
-  bench.run(200'000);
+  bench.run(1'200'000);
   EXPECT_FALSE(bench.rangers.faulty());
+}
+
+TEST(Rangers, tellOneThatGivesNoPulseFromFreeSpace) {
+  RangerBench bench;
+  bench.run(1'000'000);
+  bench.board.echoes[1] = 0;
+  bench.run(320'000);
+  EXPECT_FALSE(bench.rangers.faulty()) << "four lost pulses are no dead ranger";
+  bench.run(160'000);
+  EXPECT_TRUE(bench.rangers.faulty());
+  EXPECT_TRUE(bench.rangers.obstacle());
+  EXPECT_EQ(bench.rangers.nearestCm(), 255);
+  bench.board.echoes[1] = 38'000;
+  bench.run(900'000);
+  EXPECT_TRUE(bench.rangers.faulty()) << "not before a second of answers";
+  EXPECT_TRUE(bench.rangers.obstacle());
+  bench.run(300'000);
+  EXPECT_FALSE(bench.rangers.faulty());
+  EXPECT_FALSE(bench.rangers.obstacle());
+}
+
+TEST(Rangers, forgiveFourLostPulsesInARow) {
+  RangerBench bench;
+  bench.board.echoes = {echoOf(1.005), echoOf(1.005)};
+  for (int i = 0; i < 10; ++i) {
+    bench.board.echoes[0] = 0;
+    bench.run(320'000);  // four pings
+    EXPECT_FALSE(bench.rangers.faulty());
+    bench.board.echoes[0] = echoOf(1.005);
+    bench.run(160'000);
+    EXPECT_EQ(bench.rangers.nearestCm(), 100);
+  }
+}
+
+TEST(Rangers, keepAnObstacleBeforeOneThatIsAboutToBeGivenUp) {
+  RangerBench bench;
+  bench.board.echoes[0] = echoOf(0.255);
+  bench.run(1'000'000);
+  bench.board.echoes[0] = 0;
+  bench.run(280'000);
+  EXPECT_TRUE(bench.rangers.obstacle());
+  EXPECT_EQ(bench.rangers.nearestCm(), 25);
+  bench.run(200'000);
+  EXPECT_TRUE(bench.rangers.obstacle());
+  EXPECT_EQ(bench.rangers.nearestCm(), 255) << "nobody knows";
+}
+
+TEST(Rangers, waitASecondAnewAfterEachPingThatAFaultyOneLeavesUnanswered) {
+  RangerBench bench;
+  bench.board.echoes[0] = 0;
+  bench.run(1'000'000);
+  EXPECT_TRUE(bench.rangers.faulty());
+  for (int i = 0; i < 5; ++i) {
+    bench.board.echoes[0] = 38'000;
+    bench.run(800'000);
+    bench.board.echoes[0] = 0;
+    bench.run(80'000);
+    EXPECT_TRUE(bench.rangers.faulty());
+  }
+  bench.board.echoes[0] = 38'000;
+  bench.run(1'200'000);
+  EXPECT_FALSE(bench.rangers.faulty());
+}
+
+TEST(Rangers, giveEachPingsPulseTheTimeUntilTheNext) {
+  RangerBench bench;
+  bench.run(1'000'000);
+  for (const auto& pings : bench.board.pings)
+    for (std::size_t i = 1; i < pings.size(); ++i) EXPECT_EQ(pings[i] - pings[i - 1], 80'000U);
+  EXPECT_EQ(bench.board.pings[0][0] - bench.board.pings[1][0], 40'000U);
 }
 
 }  // namespace

@@ -105,7 +105,7 @@ TEST(Vehicle, stopsBeforeAnObstacleAndGoesOnWhenItIsGone) {
   const double wall = 2.0;
   bool there = true;
   bench.everyMs = [&] {
-    bench.board.echoes[0] = there ? static_cast<std::uint32_t>((wall - bench.plant.y - 0.15) * 5800) : 0;
+    bench.board.echoes[0] = there ? static_cast<std::uint32_t>((wall - bench.plant.y - 0.15) * 5800) : 38'000;
   };
   bench.drive(400, 0.0, 8000);
   EXPECT_EQ(bench.state(), VehicleState::Obstacle);
@@ -117,6 +117,26 @@ TEST(Vehicle, stopsBeforeAnObstacleAndGoesOnWhenItIsGone) {
   bench.drive(400, 0.0, 3500);
   EXPECT_GT(bench.plant.y, wall);
   EXPECT_EQ(bench.state(), VehicleState::Driving);
+}
+
+TEST(Vehicle, drivesForwardsOnlyWhileAllItsRangersAnswer) {
+  VehicleBench bench;
+  ASSERT_TRUE(bench.open());
+  bench.drive(300, 0.0, 2000);
+  EXPECT_EQ(bench.state(), VehicleState::Driving);
+  EXPECT_EQ(bench.host.report->faults, 0);
+  bench.board.echoes[1] = 0;
+  bench.drive(300, 0.0, 2000);
+  EXPECT_EQ(bench.state(), VehicleState::Obstacle);
+  EXPECT_EQ(bench.host.report->faults, wire::kFaultRanger);
+  EXPECT_TRUE(bench.plant.standing());
+  const double stoodAt = bench.plant.y;
+  bench.drive(-200, 0.0, 1000);
+  EXPECT_LT(bench.plant.y, stoodAt - 0.05) << "backwards it needs no ranger";
+  bench.board.echoes[1] = 38'000;
+  bench.drive(300, 0.0, 2500);
+  EXPECT_EQ(bench.state(), VehicleState::Driving);
+  EXPECT_EQ(bench.host.report->faults, 0);
 }
 
 TEST(Vehicle, backsAwayFromAnObstacle) {

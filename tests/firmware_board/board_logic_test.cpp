@@ -72,6 +72,14 @@ TEST(EchoTimer, measuresFromRiseToFallAcrossTheClocksWrap) {
   EXPECT_EQ(echo.length(), 0x200U);
 }
 
+TEST(EchoTimer, measuresThePulseOfAnUnansweredPing) {
+  EchoTimer echo;
+  echo.begin();
+  echo.edge(true, 0xFFFFFFFF - 20'000);
+  echo.edge(false, 17'999);
+  EXPECT_EQ(echo.length(), 38'000U);
+}
+
 TEST(EchoTimer, forgetsAnEchoThatBelongsToTheLastPing) {
   EchoTimer echo;
   echo.begin();

@@ -37,6 +37,9 @@ protected:
   /// It stands at that time and for a second more, looked at in each millisecond.
   void expectStandstill(Seconds latest) {
     EXPECT_GT(abs(scenario_.trueSpeed()), kStanding) << "nothing is shown by a vehicle that stands anyway";
+    expectItStandsBy(latest);
+  }
+  void expectItStandsBy(Seconds latest) {
     Seconds moved = scenario_.lockstep().now();
     for (; scenario_.lockstep().now() < latest; scenario_.go(kInstant))
       if (abs(scenario_.trueSpeed()) >= kStanding) moved = scenario_.lockstep().now();
@@ -253,11 +256,24 @@ TEST_F(Adversity, anOldReportIsRefusedByTheSupervisorAndTold) {
 TEST_F(Adversity, anObstacleStopsTheVehicleAndItGoesOnWhenTheWayIsFree) {
   driveHalfAMetre();
   scenario_.world().addObstacle({{Metres{0.30}, Metres{1.35}}, Metres{0.05}});
-  expectSentence(EventKind::Obstacle);
-  expectStandstill(scenario_.lockstep().now() + toBrake());
+  expectSentence(EventKind::Obstacle);  // the report with it comes while it brakes, or when it has
+  expectItStandsBy(scenario_.lockstep().now() + toBrake());
   EXPECT_NE(scenario_.view().waits, "") << "the operator is not told why it waits";
   scenario_.world().clearObstacles();
   expectSentence(EventKind::Obstacle, true);
+  expectArrival();
+}
+
+TEST_F(Adversity, aDeadRangerStopsTheVehicleUntilItAnswersAgain) {
+  driveHalfAMetre();
+  auto& rangers = scenario_.world().body(VehicleId{1})->rangers();
+  rangers.setDead(1, true);
+  expectStandstill(scenario_.lockstep().now() + Seconds{6 * 0.08} + toBrake());  // at most six of its pings
+  expectSentence(EventKind::Fault);
+  EXPECT_EQ(scenario_.view().waits, "AGV 1 waits: one of its rangers does not answer.");
+  rangers.setDead(1, false);
+  expectSentence(EventKind::Fault, true);
+  EXPECT_EQ(scenario_.eventCount(EventKind::Obstacle), 0U) << scenario_.sentences();
   expectArrival();
 }
 

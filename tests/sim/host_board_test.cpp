@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <vector>
 
 namespace tessera::firmware {
@@ -69,8 +70,22 @@ TEST(HostBoard, answersAPingWithTheEchosLengthWhenItHasCome) {
   EXPECT_EQ(board.echo(0), 0U);
   board.advanceTo(6300);
   EXPECT_EQ(board.echo(0), 5800U);
-  board.advanceTo(60'000);
+  board.advanceTo(38'400);
   EXPECT_EQ(board.echo(1), 0U);
+  board.advanceTo(38'500);
+  EXPECT_EQ(board.echo(1), 38'000U) << "nothing in reach";
+}
+
+TEST(HostBoard, givesNoPulseFromADeadRanger) {
+  HostBoard board{blank()};
+  HostInputs inputs;
+  inputs.range = {std::numeric_limits<double>::quiet_NaN(), 1.0};
+  board.setInputs(inputs);
+  board.ping(0);
+  board.ping(1);
+  board.advanceTo(100'000);
+  EXPECT_EQ(board.echo(0), 0U);
+  EXPECT_EQ(board.echo(1), 5800U);
 }
 
 TEST(HostBoard, spendsTimeOnTheI2cBusSoThatWaitingForTheEepromEnds) {

@@ -107,6 +107,24 @@ TEST_F(NativeVehicle, turnsByNinetyDegreesOnTheSpot) {
   EXPECT_NEAR(degrees(turnBetween(body->pose().heading, told)), 0.0, 3.0);
 }
 
+TEST_F(NativeVehicle, standsWhileOneOfItsRangersIsDead) {
+  ASSERT_TRUE(bench->keepCommanding(drive(0.2, 0.0), Seconds{2.0}));
+  EXPECT_GT(body->speed().value(), 0.15);
+  body->rangers().setDead(0, true);
+  bench->keepCommanding(drive(0.2, 0.0), Seconds{2.0});
+  EXPECT_EQ(body->speed().value(), 0.0);
+  auto report = bench->poll();
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->state, VehicleState::Obstacle);
+  EXPECT_EQ(report->faults, wire::kFaultRanger);
+  body->rangers().setDead(0, false);
+  bench->keepCommanding(drive(0.2, 0.0), Seconds{2.5});
+  EXPECT_GT(body->speed().value(), 0.15);
+  report = bench->poll();
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->faults, 0);
+}
+
 TEST_F(NativeVehicle, stopsByItselfWhenCommandsStopComing) {
   ASSERT_TRUE(bench->keepCommanding(drive(0.3, 0.0), Seconds{2.0}));
   EXPECT_GT(body->speed().value(), 0.25);

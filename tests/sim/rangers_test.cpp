@@ -25,6 +25,17 @@ TEST(Rangers, measureTheWallAheadFromTheVehiclesFrontCorners) {
   EXPECT_NEAR(range[1].value(), 1.0, 1e-9);
 }
 
+TEST(Rangers, measureNothingWhenTheyAreDead) {
+  Rangers rangers{exact(), RandomStream{1, "rangers"}};
+  const Scene scene{{{{Metres{1.0}, Metres{-2.0}}, {Metres{1.0}, Metres{2.0}}}}, {}};
+  rangers.setDead(1, true);
+  const auto range = rangers.measure(Pose{}, scene);
+  EXPECT_NEAR(range[0].value(), 0.80, 1e-9);
+  EXPECT_TRUE(std::isnan(range[1].value()));
+  rangers.setDead(1, false);
+  EXPECT_NEAR(rangers.measure(Pose{}, scene)[1].value(), 0.80, 1e-9);
+}
+
 TEST(Rangers, seeAPostOnlyOnItsSide) {
   Rangers rangers{exact(), RandomStream{1, "rangers"}};
   const Scene scene{{}, {{{Metres{1.0}, Metres{0.12}}, Metres{0.05}}}};

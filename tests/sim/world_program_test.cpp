@@ -231,6 +231,8 @@ TEST_F(CommandsTest, doWhatTheySay) {
   EXPECT_GE(world().air().counters().packets, packets + 3);
   EXPECT_TRUE(done("obstacle 1 2 0.1"));
   EXPECT_TRUE(done("obstacle clear"));
+  EXPECT_EQ(obey("ranger 1 0 off", world(), *this), "ranger 0 of vehicle 1 is dead");
+  EXPECT_EQ(obey("ranger 1 0 on", world(), *this), "ranger 0 of vehicle 1 answers again");
   EXPECT_TRUE(done("corrupt 2"));
   EXPECT_TRUE(done("drop 1"));
   EXPECT_TRUE(done("where 1"));
@@ -242,10 +244,11 @@ TEST_F(CommandsTest, doWhatTheySay) {
 
 TEST_F(CommandsTest, refuseWhatMakesNoSenseWithASentence) {
   for (const std::string line :
-       {"kill",           "kill 2",         "kill 1 1",     "kill -1",         "kill 1e9", "start x", "push 1 2 3",
-        "push 1 nan 0 0", "push 1 0 0 inf", "obstacle 1 2", "obstacle 1 2 -1", "noise",    "noise 0", "noise 1.5",
-        "noise 1e12",     "inject",         "inject a",     "inject zz",       "replay 1", "drop",    "corrupt x",
-        "where",          "pull now",       "dance",        "quit quit"}) {
+       {"kill",           "kill 2",         "kill 1 1",       "kill -1",         "kill 1e9",   "start x", "push 1 2 3",
+        "push 1 nan 0 0", "push 1 0 0 inf", "obstacle 1 2",   "obstacle 1 2 -1", "noise",      "noise 0", "noise 1.5",
+        "noise 1e12",     "inject",         "inject a",       "inject zz",       "replay 1",   "drop",    "corrupt x",
+        "ranger 1 2 off", "ranger 1 0",     "ranger 2 0 off", "ranger 1 0 away", "replay 1 0", "where",   "pull now",
+        "dance",          "quit quit"}) {
     const auto answer = obey(line, world(), *this);
     ASSERT_FALSE(answer) << line;
     EXPECT_EQ(answer.error().sentence.back(), '.') << line;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <limits>
 
 namespace tessera::sim {
 namespace {
@@ -66,12 +67,20 @@ TEST(EchoSource, answersATriggerWithAPulseAsLongAsTheWayOfSound) {
   EXPECT_FALSE(echo.nextEdge());
 }
 
-TEST(EchoSource, staysSilentWithoutAnObstacleInReach) {
-  EchoSource echo;
+TEST(EchoSource, endsItsPulseByItselfWithoutAnObstacleInReach) {
   for (double range : {0.0, -1.0, 4.01}) {
+    EchoSource echo;
     echo.triggerFell(Seconds{1.0}, Metres{range});
-    EXPECT_FALSE(echo.nextEdge()) << range;
+    ASSERT_TRUE(echo.nextEdge()) << range;
+    echo.changed(*echo.nextEdge());
+    EXPECT_DOUBLE_EQ(echo.nextEdge()->value(), 1.00045 + 0.038) << range;
   }
+}
+
+TEST(EchoSource, staysSilentWhenItIsDead) {
+  EchoSource echo;
+  echo.triggerFell(Seconds{1.0}, Metres{std::numeric_limits<double>::quiet_NaN()});
+  EXPECT_FALSE(echo.nextEdge());
 }
 
 TEST(EchoSource, ignoresATriggerDuringAnEcho) {

@@ -2,6 +2,7 @@
 // qtest and QMP on the other.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "emulated_board.h"
 
@@ -128,10 +129,21 @@ TEST_F(QemuRangers, echoIsAsLongAsTheWayOfSound) {
   }
 }
 
-TEST_F(QemuPins, nothingAnswersAPingIntoTheOpen) {
+TEST_F(QemuPins, aPingIntoTheOpenIsAnsweredByALongPulse) {
   start();
   Signals signals;
   signals.range = {Metres{0.0}, Metres{1.0}};
+  host_.setSignals(signals);
+  ask("ping 0");
+  long echo = 0;
+  EXPECT_TRUE(eventually([&] { return (echo = askNumbers("echo 0").at(0)) != 0; }));
+  EXPECT_GT(echo, 30'000);
+}
+
+TEST_F(QemuPins, aDeadRangerAnswersNoPing) {
+  start();
+  Signals signals;
+  signals.range = {Metres{std::numeric_limits<double>::quiet_NaN()}, Metres{0.0}};
   host_.setSignals(signals);
   ask("ping 0");
   ask("ping 1");

@@ -80,6 +80,34 @@ TEST_F(Adversity, anObstacleIsToldWithItsDistance) {
   expectEpisode(EventKind::Obstacle, "AGV 1 stands before an obstacle, 23 cm away.");
 }
 
+TEST_F(Adversity, aDeadRangerIsToldAsThatAndNotAsAnObstacle) {
+  rig.vehicle(1).blocked = true;
+  rig.vehicle(1).fake.report.faults = wire::kFaultRanger;
+  ASSERT_TRUE(rig.runUntil([&] { return rig.view(1).state == wire::VehicleState::Obstacle; }, Seconds{2}));
+  EXPECT_EQ(rig.view(1).waits, "AGV 1 waits: one of its rangers does not answer.");
+  rig.run(Seconds{2});
+  rig.vehicle(1).fake.report.faults = 0;
+  rig.vehicle(1).blocked = false;
+  EXPECT_TRUE(rig.runUntil([&] { return moving(); }, Seconds{3}));
+  rig.run(Seconds{2});
+  expectEpisode(EventKind::Fault, "AGV 1 gets no answer from one of its rangers and does not drive forwards.");
+  EXPECT_TRUE(rig.told(EventKind::Obstacle).empty());
+  EXPECT_TRUE(rig.told(EventKind::Obstacle, true).empty());
+}
+
+TEST_F(Adversity, anObstacleThatWasThereBeforeARangerDiedIsNotGoneByThat) {
+  rig.vehicle(1).blocked = true;
+  ASSERT_TRUE(rig.runUntil([&] { return !rig.told(EventKind::Obstacle).empty(); }, Seconds{2}));
+  rig.vehicle(1).fake.report.faults = wire::kFaultRanger;
+  ASSERT_TRUE(rig.runUntil([&] { return !rig.told(EventKind::Fault).empty(); }, Seconds{2}));
+  rig.run(Seconds{2});
+  EXPECT_TRUE(rig.told(EventKind::Obstacle, true).empty());
+  rig.vehicle(1).fake.report.faults = 0;
+  rig.vehicle(1).blocked = false;
+  EXPECT_TRUE(rig.runUntil([&] { return moving(); }, Seconds{3}));
+  expectEpisode(EventKind::Obstacle, "AGV 1 stands before an obstacle");
+}
+
 TEST_F(Adversity, replayedFramesAreDroppedAndToldOnce) {
   for (int i = 0; i < 20; ++i)
     rig.air->inject(rig.air->vehicleFrames.back().second, rig.air->now + Seconds{0.1 * i + 0.003});

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
@@ -49,15 +50,18 @@ private:
 }
 
 /// An HC-SR04: the echo begins a fixed time after the trigger's end and lasts 58 µs per centimetre (its data sheet);
-/// beyond 4 m there is none. A trigger during an echo is ignored.
+/// with nothing within 4 m it ends by itself. A dead one (NaN) gives none. A trigger during a pulse is ignored.
 class EchoSource {
 public:
   static constexpr Seconds kBurst{450e-6};
   static constexpr Metres kReach{4.0};
-  [[nodiscard]] static constexpr Seconds lengthOf(Metres range) { return Seconds{range.value() * 5800e-6}; }
+  static constexpr Seconds kOpen{38e-3};
+  [[nodiscard]] static constexpr Seconds lengthOf(Metres range) {
+    return range.value() <= 0 || range > kReach ? kOpen : Seconds{range.value() * 5800e-6};
+  }
 
   void triggerFell(Seconds now, Metres range) {
-    if (edge_ || range.value() <= 0 || range > kReach) return;
+    if (edge_ || std::isnan(range.value())) return;
     edge_ = now + kBurst;
     length_ = lengthOf(range);
   }

@@ -11,6 +11,7 @@ constexpr std::uint32_t kResetBaud = 9600;
 constexpr double kEchoPerMetre = 5800.0;  // µs there and back: the 58 µs/cm of the HC-SR04's data sheet
 constexpr std::uint64_t kBurst = 450;  // µs from the trigger to the rising echo: eight periods of 40 kHz and settling
 constexpr double kFarthest = 4.0;      // m
+constexpr std::uint32_t kOpen = 38'000;     // µs: the pulse when nothing is in reach (its data sheet)
 constexpr std::uint64_t kI2cByteTime = 23;  // µs, nine bits at 400 kHz, rounded up
 
 }  // namespace
@@ -122,8 +123,9 @@ void HostBoard::ping(std::size_t ranger) {
   if (ranger >= echoes_.size()) return;
   const double range = inputs_.range[ranger];
   echoes_[ranger] = {};
-  if (range <= 0.0 || range > kFarthest) return;
-  const auto length = static_cast<std::uint32_t>(std::lround(range * kEchoPerMetre));
+  if (std::isnan(range)) return;
+  const bool open = range <= 0.0 || range > kFarthest;
+  const auto length = open ? kOpen : static_cast<std::uint32_t>(std::lround(range * kEchoPerMetre));
   echoes_[ranger] = {now_ + kBurst + length, length};
 }
 

@@ -17,7 +17,7 @@ namespace tessera::firmware {
 struct HostInputs {
   std::array<std::int64_t, 2> encoderCounts{};  ///< left, right
   ChipField field{};                            ///< µT along the compass chip's axes
-  std::array<double, kRangers> range{};         ///< m; 0 or less: no echo
+  std::array<double, kRangers> range{};         ///< m; 0 or less: nothing in reach; NaN: a dead ranger
   bool radioReady = true;                       ///< AUX
 };
 
