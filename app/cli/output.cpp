@@ -17,7 +17,7 @@ std::string lineOf(const supervisor::Event& event, Seconds since) {
   char time[32];
   std::snprintf(time, sizeof time, "%7.1f s  ", (event.time - since).value());
   const std::string severity{supervisor::nameOf(event.severity)};
-  return time + severity + std::string(severity.size() < 9 ? 9 - severity.size() : 1, ' ') + event.sentence;
+  return time + severity + std::string(severity.size() < 9 ? 9 - severity.size() : 1, ' ') + event.sentence.english();
 }
 
 ProgressLine::ProgressLine(bool quiet) : quiet_{quiet}, terminal_{isatty(STDERR_FILENO) == 1} {}

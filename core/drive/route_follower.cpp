@@ -12,22 +12,22 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kNames{LookAheadFollower::kName, ControlPointAimer::kName};
 
-const char* because(SpeedReason reason) {
+Pattern because(SpeedReason reason) {
   switch (reason) {
     case SpeedReason::Requested:
-      return "as asked for";
+      break;
     case SpeedReason::Corner:
-      return "slowing down before the corner";
+      return phrase("Core", "slowing down before the corner");
     case SpeedReason::End:
-      return "slowing down before the end";
+      return phrase("Core", "slowing down before the end");
     case SpeedReason::Delay:
-      return "no faster over this slow a radio";
+      return phrase("Core", "no faster over this slow a radio");
     case SpeedReason::Uncertainty:
-      return "slowly, because its place is not well known";
+      return phrase("Core", "slowly, because its place is not well known");
     case SpeedReason::Heading:
-      return "slowly, until its nose points along the way";
+      return phrase("Core", "slowly, until its nose points along the way");
   }
-  return "";
+  return phrase("Core", "as asked for");
 }
 
 std::string number(double value, const char* format) {
@@ -51,20 +51,21 @@ std::string checked(const FollowerSetup& setup) {
 
 }  // namespace
 
-std::string sentence(const Decision& d, const Polyline& route) {
-  const std::string leg = "leg " + std::to_string(d.leg + 1) + " of " + std::to_string(route.legCount());
-  const std::string speed = number(d.command.speed.value(), "%.2f m/s, ") + because(d.speedReason) + ".";
+Sentence sentence(const Decision& d, const Polyline& route) {
+  const std::string speed = number(d.command.speed.value(), "%.2f");
   switch (d.phase) {
     case Phase::Approaching:
-      return "On the way to the route: " + speed;
+      return phrase("Core", "On the way to the route: %1 m/s, %2.").with(speed, because(d.speedReason));
     case Phase::OnLeg:
-      return "On " + leg + ", " + number(d.remaining.value(), "%.2f m to go: ") + speed;
+      return phrase("Core", "On leg %1 of %2, %3 m to go: %4 m/s, %5.")
+          .with(d.leg + 1, route.legCount(), number(d.remaining.value(), "%.2f"), speed, because(d.speedReason));
     case Phase::Turning:
-      return "Turning on the spot by " + number(degrees(d.headingError), "%.0f° to ") + leg + ".";
+      return phrase("Core", "Turning on the spot by %1° to leg %2 of %3.")
+          .with(number(degrees(d.headingError), "%.0f"), d.leg + 1, route.legCount());
     case Phase::Finished:
-      return "At the end of the route.";
+      return phrase("Core", "At the end of the route.");
     case Phase::Lost:
-      return "Standing still, because its place is unknown.";
+      return phrase("Core", "Standing still, because its place is unknown.");
   }
   return {};
 }

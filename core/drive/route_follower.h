@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <memory>
 #include <span>
-#include <string>
 #include <string_view>
 
 #include "base/polyline.h"
 #include "base/result.h"
+#include "base/sentence.h"
 #include "drive/command.h"
 #include "drive/predictor.h"
 #include "drive/speed_plan.h"
@@ -42,8 +42,8 @@ struct Decision {
   Radians headingError;  ///< from the state's heading to the command's
 };
 
-/// One English sentence for the operator, e.g. "Leg 2 of 5, 0.34 m to go on it: slowing to 0.06 m/s before the corner."
-[[nodiscard]] std::string sentence(const Decision& decision, const Polyline& route);
+/// One English sentence for the operator, e.g. "On leg 2 of 5, 0.34 m to go: 0.06 m/s, slowing down before the corner."
+[[nodiscard]] Sentence sentence(const Decision& decision, const Polyline& route);
 
 class RouteFollower {
 public:

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include "base/ids.h"
+#include "base/sentence.h"
 #include "base/units.h"
 
 namespace tessera::supervisor {
@@ -47,8 +47,8 @@ struct Event {
   Severity severity = Severity::Info;
   std::optional<VehicleId> vehicle;
   EventKind kind = EventKind::PortOpened;
-  bool over = false;     ///< closes the episode that an event of the same kind and vehicle opened
-  std::string sentence;  ///< English, complete
+  bool over = false;  ///< closes the episode that an event of the same kind and vehicle opened
+  Sentence sentence;  ///< complete
   bool operator==(const Event&) const = default;
 };
 

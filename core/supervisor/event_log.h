@@ -13,10 +13,12 @@ namespace tessera::supervisor {
 class EventLog {
 public:
   void setTime(Seconds now) { now_ = now; }
-  void tell(Severity severity, EventKind kind, std::optional<VehicleId> vehicle, std::string sentence,
-            bool over = false) {
+  void tell(Severity severity, EventKind kind, std::optional<VehicleId> vehicle, Sentence sentence, bool over = false) {
     events_.push_back({now_, severity, vehicle, kind, over, std::move(sentence)});
   }
+  // What is told here is a phrase(), so that it can be shown in every language.
+  void tell(Severity, EventKind, std::optional<VehicleId>, const char*, bool = false) = delete;
+  void tell(Severity, EventKind, std::optional<VehicleId>, const std::string&, bool = false) = delete;
   [[nodiscard]] Seconds now() const { return now_; }
   [[nodiscard]] bool empty() const { return events_.empty(); }
   [[nodiscard]] std::vector<Event> take() { return std::exchange(events_, {}); }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 
 #include "wire/parameters.h"
 
@@ -13,38 +12,41 @@ using wire::Parameter;
 
 struct Text {
   Parameter parameter;
-  std::string_view name;
-  std::string_view unit;  ///< stands right behind the number
+  Pattern name;
+  Pattern value;
 };
 
+// What reads the same in every language.
+consteval Pattern same(const char* value) { return {"", value}; }
+
 constexpr std::array<Text, 27> kTexts{{
-    {Parameter::Address, "the address", ""},
-    {Parameter::WheelDiameter, "the wheel diameter", " µm"},
-    {Parameter::TrackWidth, "the track width", " µm"},
-    {Parameter::CountsPerTurn, "the encoder's resolution", " counts a turn"},
-    {Parameter::MaxSpeed, "the highest speed", " mm/s"},
-    {Parameter::MaxTurnRate, "the highest turn rate", " mrad/s"},
-    {Parameter::StopDistance, "the stop distance", " mm"},
-    {Parameter::Declination, "the magnetic declination", "/65536 turn"},
-    {Parameter::CompassOffsetX, "the compass' offset on x", " nT"},
-    {Parameter::CompassOffsetY, "the compass' offset on y", " nT"},
-    {Parameter::CompassMatrixXX, "the compass' matrix entry xx", "/10000"},
-    {Parameter::CompassMatrixXY, "the compass' matrix entry xy", "/10000"},
-    {Parameter::CompassMatrixYX, "the compass' matrix entry yx", "/10000"},
-    {Parameter::CompassMatrixYY, "the compass' matrix entry yy", "/10000"},
-    {Parameter::CompassMounting, "the compass' mounting angle", "/65536 turn"},
-    {Parameter::ReaderCount, "the number of tag readers", ""},
-    {Parameter::RadioChannel, "the radio's channel", ""},
-    {Parameter::RadioAirRate, "the code of the radio's air rate", ""},
-    {Parameter::RadioBaud, "the code of the radio's baud rate", ""},
-    {Parameter::BatteryLow, "the voltage of a low battery", " mV"},
-    {Parameter::Acceleration, "the acceleration", " mm/s²"},
-    {Parameter::CompassRatio, "the compass' share in the heading", "/10000"},
-    {Parameter::FramesRefused, "the count of refused frames", ""},
-    {Parameter::FramesDamaged, "the count of damaged frames", ""},
-    {Parameter::LongestTick, "the longest tick", " µs"},
-    {Parameter::StackFree, "the stack never used", " bytes"},
-    {Parameter::CalibrationOutcome, "the outcome code of the last compass calibration", ""},
+    {Parameter::Address, phrase("Core", "the address"), same("%1")},
+    {Parameter::WheelDiameter, phrase("Core", "the wheel diameter"), same("%1 µm")},
+    {Parameter::TrackWidth, phrase("Core", "the track width"), same("%1 µm")},
+    {Parameter::CountsPerTurn, phrase("Core", "the encoder's resolution"), phrase("Core", "%1 counts a turn")},
+    {Parameter::MaxSpeed, phrase("Core", "the highest speed"), same("%1 mm/s")},
+    {Parameter::MaxTurnRate, phrase("Core", "the highest turn rate"), same("%1 mrad/s")},
+    {Parameter::StopDistance, phrase("Core", "the stop distance"), same("%1 mm")},
+    {Parameter::Declination, phrase("Core", "the magnetic declination"), phrase("Core", "%1/65536 turn")},
+    {Parameter::CompassOffsetX, phrase("Core", "the compass' offset on x"), same("%1 nT")},
+    {Parameter::CompassOffsetY, phrase("Core", "the compass' offset on y"), same("%1 nT")},
+    {Parameter::CompassMatrixXX, phrase("Core", "the compass' matrix entry xx"), same("%1/10000")},
+    {Parameter::CompassMatrixXY, phrase("Core", "the compass' matrix entry xy"), same("%1/10000")},
+    {Parameter::CompassMatrixYX, phrase("Core", "the compass' matrix entry yx"), same("%1/10000")},
+    {Parameter::CompassMatrixYY, phrase("Core", "the compass' matrix entry yy"), same("%1/10000")},
+    {Parameter::CompassMounting, phrase("Core", "the compass' mounting angle"), phrase("Core", "%1/65536 turn")},
+    {Parameter::ReaderCount, phrase("Core", "the number of tag readers"), same("%1")},
+    {Parameter::RadioChannel, phrase("Core", "the radio's channel"), same("%1")},
+    {Parameter::RadioAirRate, phrase("Core", "the code of the radio's air rate"), same("%1")},
+    {Parameter::RadioBaud, phrase("Core", "the code of the radio's baud rate"), same("%1")},
+    {Parameter::BatteryLow, phrase("Core", "the voltage of a low battery"), same("%1 mV")},
+    {Parameter::Acceleration, phrase("Core", "the acceleration"), same("%1 mm/s²")},
+    {Parameter::CompassRatio, phrase("Core", "the compass' share in the heading"), same("%1/10000")},
+    {Parameter::FramesRefused, phrase("Core", "the count of refused frames"), same("%1")},
+    {Parameter::FramesDamaged, phrase("Core", "the count of damaged frames"), same("%1")},
+    {Parameter::LongestTick, phrase("Core", "the longest tick"), same("%1 µs")},
+    {Parameter::StackFree, phrase("Core", "the stack never used"), phrase("Core", "%1 bytes")},
+    {Parameter::CalibrationOutcome, phrase("Core", "the outcome code of the last compass calibration"), same("%1")},
 }};
 
 const Text* find(std::uint8_t number) {
@@ -55,26 +57,26 @@ const Text* find(std::uint8_t number) {
 
 }  // namespace
 
-std::string parameterName(std::uint8_t number) {
+Sentence parameterName(std::uint8_t number) {
   const Text* text = find(number);
-  return text != nullptr ? std::string{text->name} : "parameter " + std::to_string(number);
+  return text != nullptr ? Sentence{text->name} : phrase("Core", "parameter %1").with(number);
 }
 
-std::string parameterValue(std::uint8_t number, std::int32_t value) {
+Sentence parameterValue(std::uint8_t number, std::int32_t value) {
   const Text* text = find(number);
-  return std::to_string(value) + std::string{text != nullptr ? text->unit : ""};
+  return text != nullptr ? text->value.with(value) : Sentence{value};
 }
 
-std::string actionName(std::uint8_t number) {
+Sentence actionName(std::uint8_t number) {
   switch (static_cast<wire::Action>(number)) {
     case wire::Action::CalibrateCompass:
-      return "calibrating the compass";
+      return phrase("Core", "calibrating the compass");
     case wire::Action::Restart:
-      return "restarting";
+      return phrase("Core", "restarting");
     case wire::Action::RestoreDefaults:
-      return "restoring the factory's settings";
+      return phrase("Core", "restoring the factory's settings");
   }
-  return "action " + std::to_string(number);
+  return phrase("Core", "action %1").with(number);
 }
 
 }  // namespace tessera::supervisor

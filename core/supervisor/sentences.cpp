@@ -7,34 +7,36 @@
 namespace tessera::supervisor {
 namespace {
 
-std::string requestText(const wire::Request& request) {
+Sentence requestText(const wire::Request& request) {
   switch (request.type) {
     case wire::MessageType::Get:
-      return "reading " + parameterName(request.parameter);
+      return phrase("Core", "reading %1").with(parameterName(request.parameter));
     case wire::MessageType::Set:
-      return "setting " + parameterName(request.parameter) + " to " + parameterValue(request.parameter, request.value);
+      return phrase("Core", "setting %1 to %2")
+          .with(parameterName(request.parameter), parameterValue(request.parameter, request.value));
     default:
       return actionName(request.parameter);
   }
 }
 
-std::string outcomeText(const wire::Request& request, const wire::Value& value) {
+Sentence outcomeText(const wire::Request& request, const wire::Value& value) {
   const bool ofParameter = request.type == wire::MessageType::Get || request.type == wire::MessageType::Set;
   switch (value.outcome) {
     case wire::Outcome::Done:
-      return ofParameter ? "done, the value is " + parameterValue(request.parameter, value.value) : "done";
+      if (!ofParameter) return phrase("Core", "done");
+      return phrase("Core", "done, the value is %1").with(parameterValue(request.parameter, value.value));
     case wire::Outcome::Started:
-      return "started";
+      return phrase("Core", "started");
     case wire::Outcome::Unknown:
-      return "refused, the vehicle does not know it";
+      return phrase("Core", "refused, the vehicle does not know it");
     case wire::Outcome::OutOfRange:
-      return "refused, the value is out of range";
+      return phrase("Core", "refused, the value is out of range");
     case wire::Outcome::Busy:
-      return "refused, the vehicle is busy";
+      return phrase("Core", "refused, the vehicle is busy");
     case wire::Outcome::Failed:
-      return "failed on the vehicle";
+      return phrase("Core", "failed on the vehicle");
   }
-  return "answered in an unknown way";
+  return phrase("Core", "answered in an unknown way");
 }
 
 }  // namespace
@@ -45,56 +47,66 @@ const std::array<FaultText, 13>& faultTexts() {
   static constexpr Seconds kFlicker{5.0};
   static constexpr std::array<FaultText, 13> kTexts{{
       {wire::kFaultMotorStall, true, kSoon,
-       "stopped: a wheel does not turn although it is driven. Free it, then clear.", "drives its wheels again."},
-      {wire::kFaultEncoder, true, kSoon, "stopped: a wheel encoder contradicts the drive. Check it, then clear.",
-       "trusts its wheel encoders again."},
-      {wire::kFaultCompass, false, kSoon, "gets no answer from its compass and keeps its heading by the wheels.",
-       "hears its compass again."},
+       phrase("Core", "%1 stopped: a wheel does not turn although it is driven. Free it, then clear."),
+       phrase("Core", "%1 drives its wheels again.")},
+      {wire::kFaultEncoder, true, kSoon,
+       phrase("Core", "%1 stopped: a wheel encoder contradicts the drive. Check it, then clear."),
+       phrase("Core", "%1 trusts its wheel encoders again.")},
+      {wire::kFaultCompass, false, kSoon,
+       phrase("Core", "%1 gets no answer from its compass and keeps its heading by the wheels."),
+       phrase("Core", "%1 hears its compass again.")},
       {wire::kFaultCompassRange, false, kSoon,
-       "measures a magnetic field that cannot be right and keeps its heading by the wheels.",
-       "measures a plausible magnetic field again."},
-      {wire::kFaultReader, false, kSoon, "gets no answer from one of its tag readers.",
-       "hears all its tag readers again."},
-      {wire::kFaultBattery, false, kSoon, "has a low battery.", "has enough battery again."},
+       phrase("Core", "%1 measures a magnetic field that cannot be right and keeps its heading by the wheels."),
+       phrase("Core", "%1 measures a plausible magnetic field again.")},
+      {wire::kFaultReader, false, kSoon, phrase("Core", "%1 gets no answer from one of its tag readers."),
+       phrase("Core", "%1 hears all its tag readers again.")},
+      {wire::kFaultBattery, false, kSoon, phrase("Core", "%1 has a low battery."),
+       phrase("Core", "%1 has enough battery again.")},
       {wire::kFaultEeprom, true, kSoon,
-       "cannot read or write its settings; what was set is lost at the next start. It stands, even when cleared, if it "
-       "could not read them.",
-       "reads and writes its settings again."},
-      {wire::kFaultWatchdog, true, kSoon, "was restarted by its watchdog and stands until it is cleared.",
-       "was cleared after its watchdog's restart."},
-      {wire::kFaultRadio, false, kSoon, "has a radio module that does not take its parameters.",
-       "has a radio module that takes its parameters again."},
+       phrase("Core",
+              "%1 cannot read or write its settings; what was set is lost at the next start. It stands, even when "
+              "cleared, if it could not read them."),
+       phrase("Core", "%1 reads and writes its settings again.")},
+      {wire::kFaultWatchdog, true, kSoon,
+       phrase("Core", "%1 was restarted by its watchdog and stands until it is cleared."),
+       phrase("Core", "%1 was cleared after its watchdog's restart.")},
+      {wire::kFaultRadio, false, kSoon, phrase("Core", "%1 has a radio module that does not take its parameters."),
+       phrase("Core", "%1 has a radio module that takes its parameters again.")},
       {wire::kFaultForged, false, kFlicker,
-       "refused a command that does not bear its key: a changed byte, or somebody else on the channel.",
-       "gets no more forged commands."},
-      {wire::kFaultReplayed, false, kFlicker, "refused a command that it had seen before: somebody repeats old frames.",
-       "gets no more replayed commands."},
-      {wire::kFaultEventsLost, false, kFlicker, "dropped tag reads because they were not fetched in time.",
-       "has its tag reads fetched in time again."},
-      {wire::kFaultRanger, false, kSoon, "gets no answer from one of its rangers and does not drive forwards.",
-       "hears all its rangers again."},
+       phrase("Core",
+              "%1 refused a command that does not bear its key: a changed byte, or somebody else on the channel."),
+       phrase("Core", "%1 gets no more forged commands.")},
+      {wire::kFaultReplayed, false, kFlicker,
+       phrase("Core", "%1 refused a command that it had seen before: somebody repeats old frames."),
+       phrase("Core", "%1 gets no more replayed commands.")},
+      {wire::kFaultEventsLost, false, kFlicker,
+       phrase("Core", "%1 dropped tag reads because they were not fetched in time."),
+       phrase("Core", "%1 has its tag reads fetched in time again.")},
+      {wire::kFaultRanger, false, kSoon,
+       phrase("Core", "%1 gets no answer from one of its rangers and does not drive forwards."),
+       phrase("Core", "%1 hears all its rangers again.")},
   }};
   return kTexts;
 }
 
-std::string answerSentence(const std::string& vehicle, const link::Answered& answered) {
-  const std::string what = requestText(answered.request);
-  if (!answered.value) return vehicle + " did not answer: " + what + " is not confirmed.";
-  return vehicle + ", " + what + ": " + outcomeText(answered.request, *answered.value) + ".";
+Sentence answerSentence(const Sentence& vehicle, const link::Answered& answered) {
+  const Sentence what = requestText(answered.request);
+  if (!answered.value) return phrase("Core", "%1 did not answer: %2 is not confirmed.").with(vehicle, what);
+  return phrase("Core", "%1, %2: %3.").with(vehicle, what, outcomeText(answered.request, *answered.value));
 }
 
-std::string_view causeText(wire::ResetCause cause) {
+Pattern causeText(wire::ResetCause cause) {
   switch (cause) {
     case wire::ResetCause::PowerOn:
-      return "its power was switched on";
+      return phrase("Core", "its power was switched on");
     case wire::ResetCause::Watchdog:
-      return "its watchdog ended a hang";
+      return phrase("Core", "its watchdog ended a hang");
     case wire::ResetCause::Software:
-      return "it was told to";
+      return phrase("Core", "it was told to");
     case wire::ResetCause::Other:
       break;
   }
-  return "the cause is unknown";
+  return phrase("Core", "the cause is unknown");
 }
 
 std::string decimal(double value, int decimals) {

@@ -4,8 +4,8 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <string_view>
 
+#include "base/sentence.h"
 #include "base/units.h"
 #include "link/link_event.h"
 #include "wire/messages.h"
@@ -13,21 +13,21 @@
 
 namespace tessera::supervisor {
 
-/// What is told about one bit of Report::faults. The vehicle's name goes before the text.
+/// What is told about one bit of Report::faults; %1 is the vehicle's name.
 struct FaultText {
   wire::Fault bit;
   bool error;     ///< it stops the vehicle or spoils its work
   Seconds quiet;  ///< how long it must stay away to be over
-  std::string_view begins;
-  std::string_view ends;
+  Pattern begins;
+  Pattern ends;
 };
 [[nodiscard]] const std::array<FaultText, 13>& faultTexts();
 
 /// A vehicle's answer to a request, or that there was none. `vehicle`: its name.
-[[nodiscard]] std::string answerSentence(const std::string& vehicle, const link::Answered& answered);
+[[nodiscard]] Sentence answerSentence(const Sentence& vehicle, const link::Answered& answered);
 
-/// Why a vehicle started anew: "after a power cut", "by its watchdog" and so on.
-[[nodiscard]] std::string_view causeText(wire::ResetCause cause);
+/// Why a vehicle started anew: "its power was switched on", "its watchdog ended a hang" and so on.
+[[nodiscard]] Pattern causeText(wire::ResetCause cause);
 
 /// A number with a fixed count of decimals, independent of the locale.
 [[nodiscard]] std::string decimal(double value, int decimals);

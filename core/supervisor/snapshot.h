@@ -10,6 +10,7 @@
 
 #include "base/ids.h"
 #include "base/pose.h"
+#include "base/sentence.h"
 #include "floor/tag.h"
 #include "wire/messages.h"
 
@@ -20,7 +21,7 @@ enum class PortState { Closed, Open, Lost };
 struct PortView {
   PortState state = PortState::Closed;
   std::string name;
-  std::string sentence;  ///< "The port /dev/ttyUSB0 is open."
+  Sentence sentence;  ///< "The port /dev/ttyUSB0 is open."
 };
 
 /// How we stand with a vehicle on the air.
@@ -97,14 +98,14 @@ struct VehicleView {
   double batteryVolts = 0.0;
   std::optional<Metres> obstacle;  ///< nearest one that a ranger sees
   LinkView link;
-  std::string firmware;  ///< "1.0.0 on lm3s6965"; empty before identification
-  std::string route;     ///< empty: none
-  Metres progress;       ///< along the route
-  Metres length;         ///< of the route
-  Metres crossTrack;     ///< positive to the left of the route
+  Sentence firmware;  ///< "1.0.0 on lm3s6965"; empty before identification
+  std::string route;  ///< empty: none
+  Metres progress;    ///< along the route
+  Metres length;      ///< of the route
+  Metres crossTrack;  ///< positive to the left of the route
   std::optional<CommandView> command;
-  std::string doing;        ///< what the controller decided and why, one sentence; empty without a route
-  std::string waits;        ///< why it stands although it should go: one sentence; empty when it does not wait
+  Sentence doing;           ///< what the controller decided and why, one sentence; empty without a route
+  Sentence waits;           ///< why it stands although it should go: one sentence; empty when it does not wait
   std::uint32_t reads = 0;  ///< tag reads taken by the locator
   std::vector<ReadView> recentReads;  ///< the last of them, kRecentReads at most, oldest first
   std::uint8_t readersAnswering = 0;  ///< bit i: reader i answers, by the last report

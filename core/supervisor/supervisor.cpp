@@ -72,26 +72,31 @@ VehicleAgent* Supervisor::Impl::agent(VehicleId id) {
 void Supervisor::portOpened(std::string name, Seconds now) {
   Impl& s = *impl_;
   s.log.setTime(now);
-  s.port = {PortState::Open, name, "The port " + name + " is open."};
+  s.port = {PortState::Open, name, phrase("Core", "The port %1 is open.").with(name)};
   if (s.portLost.active()) {
     s.portLost.forget();
-    s.log.tell(Severity::Info, EventKind::PortLost, std::nullopt, "The port " + name + " is back.", true);
+    s.log.tell(Severity::Info, EventKind::PortLost, std::nullopt, phrase("Core", "The port %1 is back.").with(name),
+               true);
   } else {
     s.log.tell(Severity::Info, EventKind::PortOpened, std::nullopt, s.port.sentence);
   }
   s.channel.opened(now);
 }
 
-void Supervisor::portLost(std::string reason, Seconds now) {
+void Supervisor::portLost(const Sentence& why, Seconds now) {
   Impl& s = *impl_;
+  // A text from the system may be a whole sentence.
+  const bool whole = why.pattern() == nullptr && why.english().ends_with('.');
+  const Sentence reason = whole ? Sentence{why.english().substr(0, why.english().size() - 1)} : why;
   s.log.setTime(now);
   s.channel.closed();
   s.port.state = PortState::Lost;
-  const std::string which = s.port.name.empty() ? "The radio's port" : "The port " + s.port.name;
-  s.port.sentence = which + " is lost: " + reason + (reason.ends_with('.') ? "" : ".");
+  s.port.sentence = s.port.name.empty() ? phrase("Core", "The radio's port is lost: %1.").with(reason)
+                                        : phrase("Core", "The port %1 is lost: %2.").with(s.port.name, reason);
   if (s.portLost.seen(now) == Episode::Change::Begins)
     s.log.tell(Severity::Error, EventKind::PortLost, std::nullopt,
-               s.port.sentence + " Vehicles stop by themselves; it is taken up again as soon as it is there.");
+               phrase("Core", "%1 Vehicles stop by themselves; it is taken up again as soon as it is there.")
+                   .with(s.port.sentence));
 }
 
 void Supervisor::ingest(std::span<const std::uint8_t> bytes, Seconds now) { impl_->channel.ingest(bytes, now); }
@@ -143,7 +148,7 @@ void Supervisor::Impl::carryOut(const Order& order) {
   VehicleAgent* a = agent(id);
   if (a == nullptr) {
     log.tell(Severity::Warning, EventKind::OrderRefused, std::nullopt,
-             "An order is for the vehicle " + std::to_string(id.value) + ", which is not looked after here.");
+             phrase("Core", "An order is for the vehicle %1, which is not looked after here.").with(id.value));
     return;
   }
   if (const auto* run = std::get_if<RunRoute>(&order)) a->run(*run, log);
@@ -158,14 +163,16 @@ void Supervisor::Impl::carryOut(const Order& order) {
                        ask->request.parameter == static_cast<std::uint8_t>(wire::Action::CalibrateCompass);
     if (moves && !a->letGo(log)) return;
     if (!channel.request(id, ask->request))
-      log.tell(Severity::Warning, EventKind::OrderRefused, id, a->name() + ": too many requests are waiting already.");
+      log.tell(Severity::Warning, EventKind::OrderRefused, id,
+               phrase("Core", "%1: too many requests are waiting already.").with(a->name()));
   }
 }
 
 void Supervisor::Impl::useSite(const UseSite& order) {
   if (!order.map || !sameFleet(site->site(), order.map->site())) {
     log.tell(Severity::Warning, EventKind::OrderRefused, std::nullopt,
-             "The site's vehicles or its radio have changed: supervision must be restarted to take them over.");
+             phrase("Core",
+                    "The site's vehicles or its radio have changed: supervision must be restarted to take them over."));
     return;
   }
   site = order.map;
@@ -198,21 +205,24 @@ void Supervisor::Impl::hear(const link::LinkEvent& event, Seconds now) {
 void Supervisor::Impl::hearNoise(const link::Noise& noise, Seconds now) {
   const bool bad = noise.damaged > 0 || noise.skipped > 0;
   if (bad && damaged.seen(now, std::max(noise.damaged, 1U)) == Episode::Change::Begins)
-    log.tell(Severity::Warning, EventKind::DamagedFrames, std::nullopt,
-             "Damaged bytes come from the radio and are dropped: noise, two senders at once, or a changed byte.");
+    log.tell(
+        Severity::Warning, EventKind::DamagedFrames, std::nullopt,
+        phrase("Core",
+               "Damaged bytes come from the radio and are dropped: noise, two senders at once, or a changed byte."));
   if (noise.foreign > 0 && strangers.seen(now, noise.foreign) == Episode::Change::Begins)
     log.tell(Severity::Warning, EventKind::StrangeFrames, std::nullopt,
-             "Somebody who does not belong to this site sends on the radio channel; the frames are dropped.");
+             phrase("Core",
+                    "Somebody who does not belong to this site sends on the radio channel; the frames are dropped."));
 }
 
 void Supervisor::Impl::endEpisodes(Seconds now) {
   if (damaged.notSeen(now) == Episode::Change::Ends)
     log.tell(Severity::Info, EventKind::DamagedFrames, std::nullopt,
-             "No more damaged bytes from the radio; " + std::to_string(damaged.count()) + " stretches were dropped.",
+             phrase("Core", "No more damaged bytes from the radio; %1 stretches were dropped.").with(damaged.count()),
              true);
   if (strangers.notSeen(now) == Episode::Change::Ends)
     log.tell(Severity::Info, EventKind::StrangeFrames, std::nullopt,
-             "No more strangers on the radio channel; " + std::to_string(strangers.count()) + " frames were dropped.",
+             phrase("Core", "No more strangers on the radio channel; %1 frames were dropped.").with(strangers.count()),
              true);
 }
 

@@ -44,8 +44,8 @@ public:
 
   /// The port stands open; what was on the air before is forgotten.
   void portOpened(std::string name, Seconds now);
-  /// reason: a sentence or its part, e.g. "the other end is gone".
-  void portLost(std::string reason, Seconds now);
+  /// reason: the end of a sentence without its full stop, e.g. "the other end is gone".
+  void portLost(const Sentence& reason, Seconds now);
   /// Bytes as they came, in pieces of any size; now: when the last of them came.
   void ingest(std::span<const std::uint8_t> bytes, Seconds now);
   /// Carried out by the next tick.

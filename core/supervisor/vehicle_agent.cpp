@@ -25,7 +25,7 @@ VehicleAgent::VehicleAgent(std::shared_ptr<const floor::SiteMap> map, floor::Veh
 }
 
 void VehicleAgent::takeName() {
-  name_ = setup_.name.empty() ? "Vehicle " + std::to_string(setup_.id.value) : setup_.name;
+  name_ = setup_.name.empty() ? phrase("Core", "Vehicle %1").with(setup_.id.value) : Sentence{setup_.name};
 }
 
 Result<VehicleAgent> VehicleAgent::create(std::shared_ptr<const floor::SiteMap> map, const floor::VehicleSetup& setup,
@@ -66,18 +66,19 @@ drive::VehicleState VehicleAgent::state() const {
 }
 
 link::Wish VehicleAgent::decide(Seconds now, const ChannelTiming& timing, EventLog& log) {
-  for (auto [episode, kind, text] : {std::tuple{&forged_, EventKind::ForgedFrames, " forged frames"},
-                                     std::tuple{&replayed_, EventKind::ReplayedFrames, " replayed frames"},
-                                     std::tuple{&strange_, EventKind::StrangeFrames, " senseless frames"}}) {
-    if (episode->notSeen(now) == Episode::Change::Ends)
-      log.tell(Severity::Info, kind, id(),
-               "No more" + std::string{text} + " in the name of " + name_ + "; " + std::to_string(episode->count()) +
-                   " were dropped.",
-               true);
-  }
+  const auto end = [&](Episode& episode, EventKind kind, Pattern over) {
+    if (episode.notSeen(now) == Episode::Change::Ends)
+      log.tell(Severity::Info, kind, id(), over.with(name_, episode.count()), true);
+  };
+  end(forged_, EventKind::ForgedFrames, phrase("Core", "No more forged frames in the name of %1; %2 were dropped."));
+  end(replayed_, EventKind::ReplayedFrames,
+      phrase("Core", "No more replayed frames in the name of %1; %2 were dropped."));
+  end(strange_, EventKind::StrangeFrames,
+      phrase("Core", "No more senseless frames in the name of %1; %2 were dropped."));
   if (task_ == Task::Jogging && !hand_.holds(now)) task_ = Task::Stopped;
   if (byHand_.update(task_ == Task::Jogging, now) == Episode::Change::Ends)
-    log.tell(Severity::Info, EventKind::DrivenByHand, id(), name_ + " is no longer driven by hand.", true);
+    log.tell(Severity::Info, EventKind::DrivenByHand, id(),
+             phrase("Core", "%1 is no longer driven by hand.").with(name_), true);
   follow(now, timing, log);
   return wishFor(timing);
 }
@@ -94,7 +95,7 @@ void VehicleAgent::follow(Seconds now, const ChannelTiming& timing, EventLog& lo
   if (decision_->phase != drive::Phase::Finished || abs(estimate_.speed) > kStanding) return;
   task_ = Task::Finished;
   log.tell(Severity::Info, EventKind::RouteFinished, id(),
-           name_ + " has reached the end of the route " + routeName_ + ".");
+           phrase("Core", "%1 has reached the end of the route %2.").with(name_, routeName_));
 }
 
 link::Wish VehicleAgent::wishFor(const ChannelTiming& timing) const {
@@ -129,42 +130,52 @@ std::optional<CommandView> VehicleAgent::commandView(Seconds now) const {
   return view;
 }
 
-std::string VehicleAgent::waitReason(Seconds now, const PortView& port) const {
-  if (task_ == Task::Paused) return name_ + " waits: it was told to pause.";
+Sentence VehicleAgent::waitReason(Seconds now, const PortView& port) const {
+  if (task_ == Task::Paused) return phrase("Core", "%1 waits: it was told to pause.").with(name_);
   if (task_ != Task::Running && task_ != Task::Jogging) return {};
-  if (port.state != PortState::Open)
-    return name_ + " waits: " + (port.name.empty() ? "the radio's port" : "the port " + port.name) +
-           (port.state == PortState::Lost ? " is lost." : " is not open.");
+  if (port.state != PortState::Open) {
+    const bool lost = port.state == PortState::Lost;
+    if (port.name.empty())
+      return (lost ? phrase("Core", "%1 waits: the radio's port is lost.")
+                   : phrase("Core", "%1 waits: the radio's port is not open."))
+          .with(name_);
+    return (lost ? phrase("Core", "%1 waits: the port %2 is lost.")
+                 : phrase("Core", "%1 waits: the port %2 is not open."))
+        .with(name_, port.name);
+  }
   switch (contact_) {
     case Contact::Calling:
-      return name_ + " waits: it has not answered our call yet.";
+      return phrase("Core", "%1 waits: it has not answered our call yet.").with(name_);
     case Contact::Refused:
-      return name_ + " waits: it cannot be talked to, see the events.";
+      return phrase("Core", "%1 waits: it cannot be talked to, see the events.").with(name_);
     case Contact::Silent:
-      return name_ + " waits: it has not answered for " + decimal(last_ ? (now - last_->receivedAt).value() : 0.0, 0) +
-             " s.";
+      return phrase("Core", "%1 waits: it has not answered for %2 s.")
+          .with(name_, decimal(last_ ? (now - last_->receivedAt).value() : 0.0, 0));
     case Contact::Connected:
       break;
   }
-  if (!last_) return name_ + " waits: its first report has not come yet.";
+  if (!last_) return phrase("Core", "%1 waits: its first report has not come yet.").with(name_);
   const wire::Report& report = last_->report;
   switch (report.state) {
     case wire::VehicleState::Faulted:
-      return name_ + " waits: a fault holds it until it is cleared.";
+      return phrase("Core", "%1 waits: a fault holds it until it is cleared.").with(name_);
     case wire::VehicleState::Calibrating:
-      return name_ + " waits: it calibrates its compass.";
+      return phrase("Core", "%1 waits: it calibrates its compass.").with(name_);
     case wire::VehicleState::Obstacle:
-      if ((report.faults & wire::kFaultRanger) != 0) return name_ + " waits: one of its rangers does not answer.";
-      if (report.range == 255) return name_ + " waits: an obstacle stood before it.";
-      return name_ + " waits: an obstacle stands " + std::to_string(report.range) + " cm before it.";
+      if ((report.faults & wire::kFaultRanger) != 0)
+        return phrase("Core", "%1 waits: one of its rangers does not answer.").with(name_);
+      if (report.range == 255) return phrase("Core", "%1 waits: an obstacle stood before it.").with(name_);
+      return phrase("Core", "%1 waits: an obstacle stands %2 cm before it.").with(name_, report.range);
     default:
       break;
   }
   if (task_ == Task::Jogging) return {};
-  if (!estimate_.located) return name_ + " waits: its place is not known. Put it where it reads tags.";
+  if (!estimate_.located)
+    return phrase("Core", "%1 waits: its place is not known. Put it where it reads tags.").with(name_);
   if (decision_ && decision_->phase == drive::Phase::Lost)
-    return name_ + " waits: " + drive::sentence(*decision_, follower_->route());
-  if (report.state == wire::VehicleState::Expired) return name_ + " waits: its last command ran out.";
+    return phrase("Core", "%1 waits: %2").with(name_, drive::sentence(*decision_, follower_->route()));
+  if (report.state == wire::VehicleState::Expired)
+    return phrase("Core", "%1 waits: its last command ran out.").with(name_);
   return {};
 }
 
@@ -204,7 +215,7 @@ VehicleView VehicleAgent::view(Seconds now, const PortView& port, const link::Li
     v.crossTrack = decision_->crossTrack;
     v.doing = drive::sentence(*decision_, follower_->route());
   }
-  if (task_ == Task::Jogging) v.doing = "Driven by hand.";
+  if (task_ == Task::Jogging) v.doing = phrase("Core", "Driven by hand.");
   v.command = commandView(now);
   v.waits = waitReason(now, port);
   v.reads = reads_;

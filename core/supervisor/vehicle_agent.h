@@ -38,7 +38,7 @@ public:
                                                    const std::string& controller);
 
   [[nodiscard]] VehicleId id() const { return setup_.id; }
-  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const Sentence& name() const { return name_; }
 
   // Orders. What cannot be carried out is told as OrderRefused.
   void run(const RunRoute& order, EventLog& log);
@@ -73,7 +73,7 @@ public:
 private:
   VehicleAgent(std::shared_ptr<const floor::SiteMap> map, floor::VehicleSetup setup);
   void takeName();
-  void refuse(EventLog& log, const std::string& what) const;
+  void refuse(EventLog& log, const Sentence& why) const;
   void inTouch(EventLog& log);
   void takeTags(const link::Reported& e, EventLog& log);
   void watchState(Seconds now, EventLog& log);
@@ -82,12 +82,12 @@ private:
   [[nodiscard]] drive::VehicleState state() const;
   void follow(Seconds now, const ChannelTiming& timing, EventLog& log);
   [[nodiscard]] link::Wish wishFor(const ChannelTiming& timing) const;
-  [[nodiscard]] std::string waitReason(Seconds now, const PortView& port) const;
+  [[nodiscard]] Sentence waitReason(Seconds now, const PortView& port) const;
   [[nodiscard]] std::optional<CommandView> commandView(Seconds now) const;
 
   std::shared_ptr<const floor::SiteMap> map_;
   floor::VehicleSetup setup_;
-  std::string name_;
+  Sentence name_;
   std::string locatorName_;
   std::string controller_;
   drive::VehicleAbility ability_;
@@ -99,7 +99,7 @@ private:
   Task task_ = Task::None;
   Contact contact_ = Contact::Calling;
   bool clearing_ = false;
-  std::string firmware_;
+  Sentence firmware_;
   std::optional<link::Reported> last_;
   locate::Estimate estimate_;             ///< at the last report
   std::optional<locate::Motion> motion_;  ///< of the last report

@@ -18,14 +18,14 @@ using Change = Episode::Change;
 
 constexpr std::size_t kMaxUnknownTags = 100;  // told by name; more are a floor that was not registered
 
-std::string hardwareText(std::uint8_t hardware) {
+Sentence hardwareText(std::uint8_t hardware) {
   switch (hardware) {
     case 1:
       return "LM3S6965";
     case 2:
-      return "host build";
+      return phrase("Core", "host build");
     default:
-      return "other hardware";
+      return phrase("Core", "other hardware");
   }
 }
 
@@ -33,22 +33,24 @@ std::string hardwareText(std::uint8_t hardware) {
 
 void VehicleAgent::inTouch(EventLog& log) {
   if (silent_.notSeen(Seconds{0}) == Change::Ends)
-    log.tell(Severity::Info, EventKind::Silent, id(), name_ + " answers again.", true);
+    log.tell(Severity::Info, EventKind::Silent, id(), phrase("Core", "%1 answers again.").with(name_), true);
   if (wrongKey_.active()) {
     wrongKey_.forget();
-    log.tell(Severity::Info, EventKind::WrongKey, id(), name_ + " now bears the site's key.", true);
+    log.tell(Severity::Info, EventKind::WrongKey, id(), phrase("Core", "%1 now bears the site's key.").with(name_),
+             true);
   }
   if (wrongVersion_.active()) {
     wrongVersion_.forget();
-    log.tell(Severity::Info, EventKind::WrongVersion, id(), name_ + " now speaks our version of the protocol.", true);
+    log.tell(Severity::Info, EventKind::WrongVersion, id(),
+             phrase("Core", "%1 now speaks our version of the protocol.").with(name_), true);
   }
   contact_ = Contact::Connected;
 }
 
 void VehicleAgent::take(const link::Identified& e, EventLog& log) {
   const wire::Identity& who = e.identity;
-  firmware_ = std::to_string(who.firmwareMajor) + "." + std::to_string(who.firmwareMinor) + "." +
-              std::to_string(who.firmwarePatch) + " on " + hardwareText(who.hardware);
+  firmware_ = phrase("Core", "%1.%2.%3 on %4")
+                  .with(who.firmwareMajor, who.firmwareMinor, who.firmwarePatch, hardwareText(who.hardware));
   const bool known = contact_ == Contact::Silent || restart_.active();
   sent_.reset();  // nothing is known to be in force in a new session
   if (e.restarted) {
@@ -57,22 +59,25 @@ void VehicleAgent::take(const link::Identified& e, EventLog& log) {
     history_.clear();
     if (restart_.active()) {
       restart_.forget();
-      log.tell(Severity::Info, EventKind::Restarted, id(), name_ + " is in touch again after its restart.", true);
+      log.tell(Severity::Info, EventKind::Restarted, id(),
+               phrase("Core", "%1 is in touch again after its restart.").with(name_), true);
     } else {
-      log.tell(Severity::Warning, EventKind::Restarted, id(), name_ + " has restarted while it was out of touch.");
-      log.tell(Severity::Info, EventKind::Restarted, id(), name_ + " is in touch again after its restart.", true);
+      log.tell(Severity::Warning, EventKind::Restarted, id(),
+               phrase("Core", "%1 has restarted while it was out of touch.").with(name_));
+      log.tell(Severity::Info, EventKind::Restarted, id(),
+               phrase("Core", "%1 is in touch again after its restart.").with(name_), true);
     }
   }
   restart_.forget();
   inTouch(log);
   if (!known)
     log.tell(Severity::Info, EventKind::Identified, id(),
-             name_ + " is identified: firmware " + firmware_ + ", " + std::to_string(who.readers) + " tag readers, " +
-                 std::to_string(who.rangers) + " rangers.");
+             phrase("Core", "%1 is identified: firmware %2, %3 tag readers, %4 rangers.")
+                 .with(name_, firmware_, who.readers, who.rangers));
   if (who.readers != setup_.readers.size())
-    log.tell(Severity::Warning, EventKind::Identified, id(),
-             name_ + " has " + std::to_string(who.readers) + " tag readers, the site says " +
-                 std::to_string(setup_.readers.size()) + ".");
+    log.tell(
+        Severity::Warning, EventKind::Identified, id(),
+        phrase("Core", "%1 has %2 tag readers, the site says %3.").with(name_, who.readers, setup_.readers.size()));
 }
 
 void VehicleAgent::take(const link::WrongKey&, EventLog& log) {
@@ -80,15 +85,17 @@ void VehicleAgent::take(const link::WrongKey&, EventLog& log) {
   if (wrongKey_.seen(Seconds{0}) == Change::Begins)
     log.tell(
         Severity::Error, EventKind::WrongKey, id(),
-        name_ + " answers with another key than the site's; it is not commanded. Commission it, or mend the site.");
+        phrase("Core",
+               "%1 answers with another key than the site's; it is not commanded. Commission it, or mend the site.")
+            .with(name_));
 }
 
 void VehicleAgent::take(const link::WrongVersion& e, EventLog& log) {
   contact_ = Contact::Refused;
   if (wrongVersion_.seen(Seconds{0}) == Change::Begins)
     log.tell(Severity::Error, EventKind::WrongVersion, id(),
-             name_ + " speaks version " + std::to_string(e.protocol) + " of the protocol, this program speaks " +
-                 std::to_string(wire::kProtocolVersion) + "; it is not commanded.");
+             phrase("Core", "%1 speaks version %2 of the protocol, this program speaks %3; it is not commanded.")
+                 .with(name_, e.protocol, wire::kProtocolVersion));
 }
 
 void VehicleAgent::take(const link::Restarted& e, EventLog& log) {
@@ -96,15 +103,18 @@ void VehicleAgent::take(const link::Restarted& e, EventLog& log) {
   history_.clear();
   if (restart_.seen(Seconds{0}) == Change::Begins)
     log.tell(Severity::Warning, EventKind::Restarted, id(),
-             name_ + " has restarted (" + std::string{causeText(e.cause)} + "); it is called again.");
+             phrase("Core", "%1 has restarted (%2); it is called again.").with(name_, causeText(e.cause)));
 }
 
 void VehicleAgent::take(const link::Silent& e, Seconds now, EventLog& log) {
   contact_ = Contact::Silent;
   if (silent_.seen(Seconds{0}) == Change::Begins)
-    log.tell(Severity::Error, EventKind::Silent, id(),
-             name_ + " has not answered for " + decimal((now - e.since).value(), 1) +
-                 " s; it stops by itself when its command runs out, and is called until it answers.");
+    log.tell(
+        Severity::Error, EventKind::Silent, id(),
+        phrase("Core",
+               "%1 has not answered for %2 s; it stops by itself when its command runs out, and is called until it "
+               "answers.")
+            .with(name_, decimal((now - e.since).value(), 1)));
 }
 
 void VehicleAgent::take(const link::BackAgain&, EventLog& log) { inTouch(log); }
@@ -140,19 +150,23 @@ void VehicleAgent::take(const link::Disbelieved& e, Seconds now, EventLog& log) 
   switch (e.why) {
     case link::Disbelief::Forged:
       if (forged_.seen(now) == Change::Begins)
-        log.tell(Severity::Warning, EventKind::ForgedFrames, id(),
-                 "A frame in the name of " + name_ +
-                     " does not bear its key and was dropped: forged, changed on the way, or of an earlier meeting.");
+        log.tell(
+            Severity::Warning, EventKind::ForgedFrames, id(),
+            phrase("Core",
+                   "A frame in the name of %1 does not bear its key and was dropped: forged, changed on the way, or "
+                   "of an earlier meeting.")
+                .with(name_));
       return;
     case link::Disbelief::Replayed:
       if (replayed_.seen(now) == Change::Begins)
         log.tell(Severity::Warning, EventKind::ReplayedFrames, id(),
-                 "A frame of " + name_ + " came a second time and was dropped: somebody repeats old frames.");
+                 phrase("Core", "A frame of %1 came a second time and was dropped: somebody repeats old frames.")
+                     .with(name_));
       return;
     default:
       if (strange_.seen(now) == Change::Begins)
         log.tell(Severity::Warning, EventKind::StrangeFrames, id(),
-                 "A frame in the name of " + name_ + " makes no sense and was dropped.");
+                 phrase("Core", "A frame in the name of %1 makes no sense and was dropped.").with(name_));
   }
 }
 
@@ -170,7 +184,7 @@ void VehicleAgent::take(const link::Reported& e, EventLog& log) {
 void VehicleAgent::takeTags(const link::Reported& e, EventLog& log) {
   if (e.tagEventsLost > 0)
     log.tell(Severity::Warning, EventKind::TagEventsLost, id(),
-             std::to_string(e.tagEventsLost) + " tag reads of " + name_ + " were lost.");
+             phrase("Core", "%1 tag reads of %2 were lost.").with(e.tagEventsLost, name_));
   for (const link::TimedTagEvent& tag : e.tags) {
     if (tag.older) continue;  // an instant that is not known would mislead more than the read tells
     if (tag.event.kind == wire::EventKind::Left) {
@@ -186,19 +200,20 @@ void VehicleAgent::takeTags(const link::Reported& e, EventLog& log) {
     const bool news = !map_->find(*uid) && unknownTags_.size() < kMaxUnknownTags && unknownTags_.insert(*uid).second;
     if (news)
       log.tell(Severity::Warning, EventKind::UnknownTag, id(),
-               name_ + " read the tag " + uid->text() + ", which the site does not have.");
+               phrase("Core", "%1 read the tag %2, which the site does not have.").with(name_, uid->text()));
   }
 }
 
 void VehicleAgent::watchPlace(EventLog& log) {
   if (estimate_.located && !everLocated_) {
     everLocated_ = true;
-    log.tell(Severity::Info, EventKind::Located, id(), name_ + " is located.");
+    log.tell(Severity::Info, EventKind::Located, id(), phrase("Core", "%1 is located.").with(name_));
   } else if (everLocated_ && lost_.update(!estimate_.located, Seconds{0}) != Change::None) {
     if (lost_.active())
-      log.tell(Severity::Error, EventKind::Lost, id(), name_ + " has lost its place and stands.");
+      log.tell(Severity::Error, EventKind::Lost, id(), phrase("Core", "%1 has lost its place and stands.").with(name_));
     else
-      log.tell(Severity::Info, EventKind::Lost, id(), name_ + " has found its place again.", true);
+      log.tell(Severity::Info, EventKind::Lost, id(), phrase("Core", "%1 has found its place again.").with(name_),
+               true);
   }
 }
 
@@ -210,26 +225,26 @@ void VehicleAgent::watchState(Seconds now, EventLog& log) {
   const Change obstacle = stands && blind ? Change::None : obstacle_.update(stands, now);
   if (obstacle == Change::Begins)
     log.tell(Severity::Warning, EventKind::Obstacle, id(),
-             name_ + " stands before an obstacle" +
-                 (report.range == 255 ? "" : ", " + std::to_string(report.range) + " cm away") + ".");
+             report.range == 255
+                 ? phrase("Core", "%1 stands before an obstacle.").with(name_)
+                 : phrase("Core", "%1 stands before an obstacle, %2 cm away.").with(name_, report.range));
   if (obstacle == Change::Ends)
-    log.tell(Severity::Info, EventKind::Obstacle, id(), "The obstacle before " + name_ + " is gone.", true);
+    log.tell(Severity::Info, EventKind::Obstacle, id(), phrase("Core", "The obstacle before %1 is gone.").with(name_),
+             true);
 
   const Change expired = expired_.update(task_ == Task::Running && report.state == wire::VehicleState::Expired, now);
   if (expired == Change::Begins)
     log.tell(Severity::Warning, EventKind::Expired, id(),
-             name_ + " stopped by itself, because no command reached it in time.");
+             phrase("Core", "%1 stopped by itself, because no command reached it in time.").with(name_));
   if (expired == Change::Ends)
-    log.tell(Severity::Info, EventKind::Expired, id(), name_ + " takes commands again.", true);
+    log.tell(Severity::Info, EventKind::Expired, id(), phrase("Core", "%1 takes commands again.").with(name_), true);
 
   for (std::size_t i = 0; i < faults_.size(); ++i) {
     const FaultText& text = faultTexts()[i];
     const Change change = faults_[i].update((report.faults & text.bit) != 0, now);
     if (change == Change::Begins)
-      log.tell(text.error ? Severity::Error : Severity::Warning, kindOf(text.bit), id(),
-               name_ + " " + std::string{text.begins});
-    if (change == Change::Ends)
-      log.tell(Severity::Info, kindOf(text.bit), id(), name_ + " " + std::string{text.ends}, true);
+      log.tell(text.error ? Severity::Error : Severity::Warning, kindOf(text.bit), id(), text.begins.with(name_));
+    if (change == Change::Ends) log.tell(Severity::Info, kindOf(text.bit), id(), text.ends.with(name_), true);
   }
 }
 

@@ -7,21 +7,25 @@
 
 namespace tessera::supervisor {
 
-void VehicleAgent::refuse(EventLog& log, const std::string& what) const {
-  log.tell(Severity::Warning, EventKind::OrderRefused, id(), name_ + ": " + what);
+void VehicleAgent::refuse(EventLog& log, const Sentence& why) const {
+  log.tell(Severity::Warning, EventKind::OrderRefused, id(), why);
 }
 
 void VehicleAgent::run(const RunRoute& order, EventLog& log) {
   const floor::Route* route = map_->route(order.route);
-  if (route == nullptr) return refuse(log, "the site has no route called \"" + order.route + "\".");
+  if (route == nullptr)
+    return refuse(log, phrase("Core", "%1: the site has no route called \"%2\".").with(name_, order.route));
   if (!(order.speed > MetresPerSecond{0.0}))
-    return refuse(log, "the speed for the route " + order.route + " must be above zero.");
+    return refuse(log, phrase("Core", "%1: the speed for the route %2 must be above zero.").with(name_, order.route));
+  if (Polyline{route->vertices}.legCount() == 0)
+    return refuse(log,
+                  phrase("Core", "%1: the route %2 needs at least two different points.").with(name_, order.route));
   drive::FollowerSetup setup;
   setup.route = *route;
   setup.ability = ability_;
   setup.plan.requested = std::min(order.speed, ability_.maxSpeed);
   auto follower = drive::makeRouteFollower(controller_, setup);
-  if (!follower) return refuse(log, follower.error().sentence);
+  if (!follower) return refuse(log, Pattern{"", "%1: %2"}.with(name_, follower.error().sentence));
   follower_ = std::move(*follower);
   routeName_ = order.route;
   decision_.reset();
@@ -29,24 +33,30 @@ void VehicleAgent::run(const RunRoute& order, EventLog& log) {
   hand_.bar(log.now());
   task_ = Task::Running;
   log.tell(Severity::Info, EventKind::RouteStarted, id(),
-           name_ + " starts on the route " + routeName_ + " at " + decimal(setup.plan.requested.value(), 2) + " m/s.");
+           phrase("Core", "%1 starts on the route %2 at %3 m/s.")
+               .with(name_, routeName_, decimal(setup.plan.requested.value(), 2)));
 }
 
 void VehicleAgent::pause(EventLog& log) {
-  if (task_ != Task::Running) return refuse(log, "it cannot pause, as it runs no route.");
+  if (task_ != Task::Running)
+    return refuse(log, phrase("Core", "%1: it cannot pause, as it runs no route.").with(name_));
   task_ = Task::Paused;
-  log.tell(Severity::Info, EventKind::Paused, id(), name_ + " pauses on the route " + routeName_ + ".");
+  log.tell(Severity::Info, EventKind::Paused, id(),
+           phrase("Core", "%1 pauses on the route %2.").with(name_, routeName_));
 }
 
 void VehicleAgent::resume(EventLog& log) {
-  if (task_ != Task::Paused) return refuse(log, "it cannot go on, as it does not pause.");
+  if (task_ != Task::Paused)
+    return refuse(log, phrase("Core", "%1: it cannot go on, as it does not pause.").with(name_));
   task_ = Task::Running;
-  log.tell(Severity::Info, EventKind::Resumed, id(), name_ + " goes on along the route " + routeName_ + ".");
+  log.tell(Severity::Info, EventKind::Resumed, id(),
+           phrase("Core", "%1 goes on along the route %2.").with(name_, routeName_));
 }
 
 void VehicleAgent::stop(EventLog& log) {
   if (task_ == Task::Running || task_ == Task::Paused)
-    log.tell(Severity::Info, EventKind::RouteStopped, id(), name_ + " gives up the route " + routeName_ + " by order.");
+    log.tell(Severity::Info, EventKind::RouteStopped, id(),
+             phrase("Core", "%1 gives up the route %2 by order.").with(name_, routeName_));
   hand_.bar(log.now());
   task_ = Task::Stopped;
 }
@@ -54,24 +64,26 @@ void VehicleAgent::stop(EventLog& log) {
 void VehicleAgent::jog(const Jog& order, EventLog& log) {
   const Seconds now = log.now();
   jogRefused_.notSeen(now);
-  const auto no = [&](const std::string& why) {
+  const auto no = [&](const Sentence& why) {
     // The keys repeat themselves; the refusal does not.
     if (jogRefused_.seen(now) == Episode::Change::Begins) refuse(log, why);
   };
   const bool taken = hand_.take(order, now);
   if (!std::isfinite(order.speed.value()) || !std::isfinite(order.turnRate.value())) {
     hand_.bar(now);
-    return no("a speed to drive at by hand is no number.");
+    return no(phrase("Core", "%1: a speed to drive at by hand is no number.").with(name_));
   }
   if (task_ == Task::Running || task_ == Task::Paused) {
     hand_.bar(now);
-    return no("it cannot be driven by hand while it is on the route " + routeName_ + ". Stop it first.");
+    return no(phrase("Core", "%1: it cannot be driven by hand while it is on the route %2. Stop it first.")
+                  .with(name_, routeName_));
   }
   if (contact_ != Contact::Connected) {
     hand_.bar(now);
-    return no("it cannot be driven by hand, as it is not in touch.");
+    return no(phrase("Core", "%1: it cannot be driven by hand, as it is not in touch.").with(name_));
   }
-  if (!taken) return no("it was stopped. Let the keys go before you drive it by hand again.");
+  if (!taken)
+    return no(phrase("Core", "%1: it was stopped. Let the keys go before you drive it by hand again.").with(name_));
   if (task_ != Task::Jogging) {
     follower_.reset();
     routeName_.clear();
@@ -80,12 +92,12 @@ void VehicleAgent::jog(const Jog& order, EventLog& log) {
   }
   task_ = Task::Jogging;
   if (byHand_.seen(now) == Episode::Change::Begins)
-    log.tell(Severity::Info, EventKind::DrivenByHand, id(), name_ + " is driven by hand.");
+    log.tell(Severity::Info, EventKind::DrivenByHand, id(), phrase("Core", "%1 is driven by hand.").with(name_));
 }
 
 bool VehicleAgent::letGo(EventLog& log) {
   if (task_ == Task::Running || task_ == Task::Paused || task_ == Task::Jogging) {
-    refuse(log, "it cannot do that while it drives. Stop it first.");
+    refuse(log, phrase("Core", "%1: it cannot do that while it drives. Stop it first.").with(name_));
     return false;
   }
   task_ = Task::None;

@@ -56,7 +56,7 @@ std::size_t Scenario::eventCount(supervisor::EventKind kind, bool over) const {
 
 std::string Scenario::sentences() const {
   std::string all;
-  for (const auto& e : recorder_->events()) all += std::to_string(e.time.value()) + " s: " + e.sentence + "\n";
+  for (const auto& e : recorder_->events()) all += std::to_string(e.time.value()) + " s: " + e.sentence.english() + "\n";
   return all;
 }
 

@@ -19,7 +19,7 @@ protected:
   void expectEpisode(EventKind kind, const std::string& sentence) {
     const auto begun = rig.told(kind);
     ASSERT_EQ(begun.size(), 1U);
-    EXPECT_EQ(begun[0].sentence.substr(0, sentence.size()), sentence);
+    EXPECT_EQ(begun[0].sentence.english().substr(0, sentence.size()), sentence);
     EXPECT_EQ(rig.told(kind, true).size(), 1U) << "told once that it is over";
   }
   SupervisorRig rig;
@@ -44,7 +44,7 @@ TEST_F(Adversity, silenceIsToldOnceAndTheRouteGoesOn) {
   ASSERT_TRUE(rig.runUntil([&] { return standing(); }, Seconds{2}));
   rig.run(Seconds{8});
   EXPECT_EQ(rig.view(1).contact, Contact::Silent);
-  EXPECT_NE(rig.view(1).waits.find("AGV 1 waits: it has not answered for "), std::string::npos);
+  EXPECT_NE(rig.view(1).waits.english().find("AGV 1 waits: it has not answered for "), std::string::npos);
   rig.vehicle(1).fake.on = true;
   EXPECT_TRUE(rig.runUntil([&] { return moving(); }, Seconds{6}));
   expectEpisode(EventKind::Silent, "AGV 1 has not answered for 1.");
@@ -184,7 +184,7 @@ TEST(WrongVersion, isToldOnce) {
   rig.vehicle(1).fake.protocol = 9;
   rig.run(Seconds{20});
   ASSERT_EQ(rig.told(EventKind::WrongVersion).size(), 1U);
-  EXPECT_EQ(rig.told(EventKind::WrongVersion)[0].sentence.substr(0, 25), "AGV 1 speaks version 9 of");
+  EXPECT_EQ(rig.told(EventKind::WrongVersion)[0].sentence.english().substr(0, 25), "AGV 1 speaks version 9 of");
 }
 
 }  // namespace

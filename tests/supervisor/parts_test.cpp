@@ -91,7 +91,7 @@ TEST(AnswerSentence, namesParametersWithTheirUnitAndActions) {
 TEST(ParameterTexts, nameEveryParameterOfTheProtocol) {
   for (const int first : {1, 64})
     for (int n = first; n <= (first == 1 ? 22 : 68); ++n)
-      EXPECT_EQ(parameterName(static_cast<std::uint8_t>(n)).substr(0, 4), "the ") << n;
+      EXPECT_EQ(parameterName(static_cast<std::uint8_t>(n)).english().substr(0, 4), "the ") << n;
 }
 
 }  // namespace
