@@ -1,0 +1,218 @@
+#include "ui/fleet/condition.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/fleet/sentences.h"
+
+namespace tessera::ui {
+namespace {
+
+struct ConditionWords {
+  Q_DECLARE_TR_FUNCTIONS(tessera::ui::Condition)
+};
+
+Condition whileConnected(const supervisor::VehicleView& v) {
+  using supervisor::Task;
+  if (v.state == wire::VehicleState::Faulted) return Condition::Faulted;
+  if (v.task == Task::Jogging) return Condition::ByHand;
+  if (v.task == Task::Paused) return Condition::Paused;
+  if (v.task == Task::Running) return said(v.waits).isEmpty() ? Condition::Running : Condition::Waiting;
+  if (v.state == wire::VehicleState::Calibrating) return Condition::Calibrating;
+  if (v.state == wire::VehicleState::Obstacle) return Condition::Obstacle;
+  if (v.task == Task::Stopped) return Condition::Stopped;
+  return v.task == Task::Finished ? Condition::Finished : Condition::Ready;
+}
+
+QString nextStep(Condition condition, const supervisor::VehicleView& v, const QString& name) {
+  using W = ConditionWords;
+  switch (condition) {
+    case Condition::Calling:
+      return W::tr("%1 has not answered yet. Check that it is switched on and within reach of the radio.").arg(name);
+    case Condition::Silent:
+      return W::tr("%1 no longer answers. It stops by itself; check its power and the radio.").arg(name);
+    case Condition::Refused:
+      return W::tr("%1 answers, but with another key or protocol version. Set it up again for this site.").arg(name);
+    case Condition::Obstacle:
+      return W::tr("%1 stands before an obstacle.").arg(name);
+    case Condition::Calibrating:
+      return W::tr("%1 calibrates its compass.").arg(name);
+    case Condition::ByHand:
+      return W::tr("%1 is driven by hand.").arg(name);
+    case Condition::Paused:
+      return W::tr("%1 pauses. Resume lets it go on from here.").arg(name);
+    case Condition::Finished:
+      return W::tr("%1 has reached the end of its route.").arg(name);
+    case Condition::Stopped:
+      if (v.located) return W::tr("%1 was stopped. Run lets it drive again.").arg(name);
+      break;
+    case Condition::Ready:
+      if (v.located) return W::tr("%1 is ready. Choose a route and run it.").arg(name);
+      break;
+    default:
+      return {};
+  }
+  return W::tr("The place of %1 is not known. Put it where it reads tags.").arg(name);
+}
+
+}  // namespace
+
+Condition conditionOf(const supervisor::Snapshot* snapshot, const supervisor::VehicleView* vehicle) {
+  using supervisor::Contact;
+  if (snapshot == nullptr || vehicle == nullptr || snapshot->port.state != supervisor::PortState::Open)
+    return Condition::NoPort;
+  switch (vehicle->contact) {
+    case Contact::Calling:
+      return Condition::Calling;
+    case Contact::Silent:
+      return Condition::Silent;
+    case Contact::Refused:
+      return Condition::Refused;
+    case Contact::Connected:
+      break;
+  }
+  return whileConnected(*vehicle);
+}
+
+QString words(Condition condition) {
+  using W = ConditionWords;
+  switch (condition) {
+    case Condition::Faulted:
+      return W::tr("Fault");
+    case Condition::Refused:
+      return W::tr("Refused");
+    case Condition::Silent:
+      return W::tr("Silent");
+    case Condition::Obstacle:
+      return W::tr("Obstacle");
+    case Condition::Waiting:
+      return W::tr("Waiting");
+    case Condition::NoPort:
+      return W::tr("Not connected");
+    case Condition::Calling:
+      return W::tr("Calling");
+    case Condition::Calibrating:
+      return W::tr("Calibrating");
+    case Condition::Paused:
+      return W::tr("Paused");
+    case Condition::Running:
+      return W::tr("Running");
+    case Condition::ByHand:
+      return W::tr("By hand", "driven by keys");
+    case Condition::Stopped:
+      return W::tr("Stopped");
+    case Condition::Ready:
+      return W::tr("Ready");
+    case Condition::Finished:
+      return W::tr("Arrived");
+  }
+  return {};
+}
+
+QString iconName(Condition condition) {
+  switch (condition) {
+    case Condition::Faulted:
+      return QStringLiteral("error");
+    case Condition::Refused:
+      return QStringLiteral("lock");
+    case Condition::Silent:
+      return QStringLiteral("silent");
+    case Condition::Obstacle:
+      return QStringLiteral("obstacle");
+    case Condition::Waiting:
+      return QStringLiteral("waiting");
+    case Condition::NoPort:
+      return QStringLiteral("disconnect");
+    case Condition::Calling:
+      return QStringLiteral("radio");
+    case Condition::Calibrating:
+      return QStringLiteral("compass");
+    case Condition::Paused:
+      return QStringLiteral("pause");
+    case Condition::Running:
+      return QStringLiteral("run");
+    case Condition::ByHand:
+      return QStringLiteral("jog");
+    case Condition::Stopped:
+      return QStringLiteral("stop");
+    case Condition::Ready:
+      return QStringLiteral("link-good");
+    case Condition::Finished:
+      return QStringLiteral("check");
+  }
+  return {};
+}
+
+Tone toneOf(Condition condition) {
+  switch (condition) {
+    case Condition::Faulted:
+    case Condition::Refused:
+    case Condition::Silent:
+      return Tone::Bad;
+    case Condition::Obstacle:
+    case Condition::Waiting:
+    case Condition::Paused:
+      return Tone::Warning;
+    case Condition::NoPort:
+    case Condition::Calling:
+      return Tone::Quiet;
+    case Condition::Running:
+    case Condition::ByHand:
+    case Condition::Calibrating:
+      return Tone::Busy;
+    case Condition::Ready:
+    case Condition::Finished:
+      return Tone::Good;
+    case Condition::Stopped:
+      break;
+  }
+  return Tone::Plain;
+}
+
+QStringList faultWords(std::uint16_t faults) {
+  using W = ConditionWords;
+  QStringList all;
+  const auto add = [&](wire::Fault bit, const QString& name) {
+    if ((faults & bit) != 0) all.append(name);
+  };
+  add(wire::kFaultMotorStall, W::tr("a wheel is blocked"));
+  add(wire::kFaultEncoder, W::tr("a wheel turns against its drive"));
+  add(wire::kFaultCompass, W::tr("the compass does not answer"));
+  add(wire::kFaultCompassRange, W::tr("the compass is disturbed"));
+  add(wire::kFaultReader, W::tr("a reader does not answer"));
+  add(wire::kFaultBattery, W::tr("the battery is low"));
+  add(wire::kFaultEeprom, W::tr("its settings cannot be read or written"));
+  add(wire::kFaultWatchdog, W::tr("it was restarted by its watchdog"));
+  add(wire::kFaultRadio, W::tr("its radio did not take its parameters"));
+  add(wire::kFaultForged, W::tr("it refused a forged command"));
+  add(wire::kFaultReplayed, W::tr("it refused a repeated command"));
+  add(wire::kFaultEventsLost, W::tr("tag reads were lost"));
+  add(wire::kFaultRanger, W::tr("a distance sensor gives no distances"));
+  return all;
+}
+
+QString situation(const supervisor::Snapshot* snapshot, const supervisor::VehicleView* vehicle, const QString& name) {
+  using W = ConditionWords;
+  const Condition condition = conditionOf(snapshot, vehicle);
+  if (condition == Condition::NoPort) {
+    const QString port = snapshot == nullptr ? QString{} : said(snapshot->port.sentence);
+    return port.isEmpty() ? W::tr("There is no connection to the vehicles. Connect first.") : port;
+  }
+  if (condition == Condition::Faulted)
+    return W::tr("%1 is held by a fault: %2. Remove the cause, then clear the fault.")
+        .arg(name, faultWords(vehicle->faults).join(W::tr(", ", "between faults")));
+  if (const QString waits = said(vehicle->waits); !waits.isEmpty()) return waits;
+  if (const QString next = nextStep(condition, *vehicle, name); !next.isEmpty()) return next;
+  return said(vehicle->doing);
+}
+
+Metres placeUncertainty(const supervisor::VehicleView& vehicle) {
+  const double xx = vehicle.covariance[0];
+  const double xy = vehicle.covariance[1];
+  const double yy = vehicle.covariance[4];
+  const double largest = (xx + yy) / 2.0 + std::hypot((xx - yy) / 2.0, xy);
+  return Metres{2.4477 * std::sqrt(std::max(0.0, largest))};  // 95 % of a distribution in the plane
+}
+
+}  // namespace tessera::ui

@@ -1,0 +1,235 @@
+#include "ui/fleet/event_panel.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QScrollBar>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/base/icon.h"
+#include "ui/fleet/vehicle_delegate.h"
+
+namespace tessera::ui {
+
+EventPanel::EventPanel(FleetLink& link, Selection& selection, SiteDocument& document, QWidget* parent)
+    : QWidget{parent}, link_{link}, selection_{selection}, document_{document}, model_{document} {
+  setObjectName(QStringLiteral("eventPanel"));
+  shown_.setSourceModel(&model_);
+  build();
+  connect(&link_, &FleetLink::eventsArrived, this, [this](const std::vector<supervisor::Event>& events) {
+    model_.append(events);
+    showWhatThereIs();
+    if (atEnd_) view_->scrollToBottom();
+  });
+  connect(&document_, &SiteDocument::changed, this, [this] {
+    QStringList listed;
+    for (int i = 1; i < vehicle_->count(); ++i) listed.append(vehicle_->itemText(i));
+    QStringList names;
+    for (const auto& v : document_.site().vehicles) names.append(QString::fromStdString(v.name));
+    if (names != listed) takeVehicles();  // routes are edited far more often
+  });
+  retranslate();
+  sizeColumns();
+}
+
+QToolButton* EventPanel::makeButton(const QString& name, const QString& iconName, void (EventPanel::*does)()) {
+  auto* button = new QToolButton{this};
+  button->setObjectName(name);
+  button->setIcon(icon(iconName));
+  button->setAutoRaise(true);
+  button->setFocusPolicy(Qt::StrongFocus);
+  connect(button, &QToolButton::clicked, this, does);
+  return button;
+}
+
+void EventPanel::build() {
+  severity_ = new QComboBox{this};
+  severity_->setObjectName(QStringLiteral("severityFilter"));
+  vehicle_ = new QComboBox{this};
+  vehicle_->setObjectName(QStringLiteral("vehicleFilter"));
+  words_ = new QLineEdit{this};
+  words_->setObjectName(QStringLiteral("wordsFilter"));
+  words_->setClearButtonEnabled(true);
+  connect(severity_, &QComboBox::currentIndexChanged, this, &EventPanel::filter);
+  connect(vehicle_, &QComboBox::currentIndexChanged, this, &EventPanel::filter);
+  connect(words_, &QLineEdit::textChanged, this, &EventPanel::filter);
+  toEnd_ = makeButton(QStringLiteral("toEndButton"), QStringLiteral("to-end"), &EventPanel::goToEnd);
+  copy_ = makeButton(QStringLiteral("copyEventsButton"), QStringLiteral("copy"), &EventPanel::copy);
+  clear_ = makeButton(QStringLiteral("clearEventsButton"), QStringLiteral("delete"), &EventPanel::clear);
+
+  view_ = new QTreeView{this};
+  view_->setObjectName(QStringLiteral("eventList"));
+  view_->setModel(&shown_);
+  view_->setItemDelegate(new VehicleDelegate{view_});
+  view_->setRootIsDecorated(false);
+  view_->setUniformRowHeights(true);
+  view_->setAllColumnsShowFocus(true);
+  view_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  view_->setFrameShape(QFrame::NoFrame);
+  auto* copyKey = new QAction{view_};
+  copyKey->setShortcut(QKeySequence::Copy);
+  copyKey->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  connect(copyKey, &QAction::triggered, this, &EventPanel::copy);
+  view_->addAction(copyKey);
+  connect(view_, &QAbstractItemView::activated, this, [this](const QModelIndex& index) {
+    const QVariant vehicle = index.data(VehicleRole);
+    if (vehicle.isValid()) selection_.setVehicle(VehicleId{static_cast<std::uint8_t>(vehicle.toInt())});
+  });
+  // Only a hand on the bar, wheel or keys changes it: a range that grows with new lines leaves the value where it was.
+  connect(view_->verticalScrollBar(), &QScrollBar::valueChanged, this, [this](int value) {
+    atEnd_ = value >= view_->verticalScrollBar()->maximum();
+    toEnd_->setEnabled(!atEnd_);
+  });
+  connect(view_->verticalScrollBar(), &QScrollBar::rangeChanged, this, [this](int /*least*/, int most) {
+    if (atEnd_) view_->verticalScrollBar()->setValue(most);
+  });
+  toEnd_->setEnabled(false);
+
+  nothing_ = new FleetHint{QStringLiteral("journal"), this};
+  nothing_->button()->setObjectName(QStringLiteral("showAllButton"));
+  connect(nothing_->button(), &QPushButton::clicked, this, &EventPanel::showAll);
+  auto* bar = new QHBoxLayout;
+  bar->addWidget(severity_);
+  bar->addWidget(vehicle_);
+  bar->addWidget(words_, 1);
+  bar->addWidget(toEnd_);
+  bar->addWidget(copy_);
+  bar->addWidget(clear_);
+  auto* below = new QWidget{this};
+  pages_ = new QStackedLayout{below};
+  pages_->addWidget(view_);
+  pages_->addWidget(nothing_);
+  auto* column = new QVBoxLayout{this};
+  column->addLayout(bar);
+  column->addWidget(below, 1);
+}
+
+void EventPanel::retranslate() {
+  const int severity = std::max(0, severity_->currentIndex());
+  {
+    const QSignalBlocker quiet{severity_};
+    severity_->clear();
+    severity_->addItem(icon(QStringLiteral("info")), tr("Everything"), static_cast<int>(supervisor::Severity::Info));
+    severity_->addItem(icon(QStringLiteral("warning")), tr("Warnings and errors"),
+                       static_cast<int>(supervisor::Severity::Warning));
+    severity_->addItem(icon(QStringLiteral("error")), tr("Errors only"), static_cast<int>(supervisor::Severity::Error));
+    severity_->setCurrentIndex(severity);
+  }
+  severity_->setToolTip(tr("How serious an event must be to be listed."));
+  severity_->setAccessibleName(tr("Severity"));
+  vehicle_->setToolTip(tr("Whose events are listed."));
+  vehicle_->setAccessibleName(tr("Vehicle"));
+  words_->setPlaceholderText(tr("Search"));
+  words_->setAccessibleName(tr("Search"));
+  toEnd_->setToolTip(tr("Go to the newest event and stay there."));
+  toEnd_->setAccessibleName(tr("Go to the end"));
+  copy_->setToolTip(tr("Copy the selected events, or all that are listed (%1)")
+                        .arg(QKeySequence{QKeySequence::Copy}.toString(QKeySequence::NativeText)));
+  copy_->setAccessibleName(tr("Copy"));
+  clear_->setToolTip(tr("Empty this list. The journal keeps what happened."));
+  clear_->setAccessibleName(tr("Empty the list"));
+  view_->setAccessibleName(tr("What happened"));
+  model_.refreshTexts();
+  takeVehicles();
+}
+
+void EventPanel::takeVehicles() {
+  const QVariant chosen = vehicle_->currentData();
+  {
+    const QSignalBlocker quiet{vehicle_};
+    vehicle_->clear();
+    vehicle_->addItem(icon(QStringLiteral("vehicle")), tr("All vehicles"));
+    for (const auto& v : document_.site().vehicles)
+      vehicle_->addItem(QString::fromStdString(v.name), static_cast<int>(v.id.value));
+    vehicle_->setCurrentIndex(std::max(0, chosen.isValid() ? vehicle_->findData(chosen) : 0));
+  }
+  filter();
+}
+
+void EventPanel::filter() {
+  std::optional<VehicleId> vehicle;
+  if (const QVariant id = vehicle_->currentData(); id.isValid())
+    vehicle = VehicleId{static_cast<std::uint8_t>(id.toInt())};
+  shown_.set(static_cast<supervisor::Severity>(severity_->currentData().toInt()), vehicle, words_->text());
+  showWhatThereIs();
+  if (atEnd_) view_->scrollToBottom();
+}
+
+void EventPanel::showAll() {
+  const QSignalBlocker quiet{words_};
+  words_->clear();
+  severity_->setCurrentIndex(0);
+  vehicle_->setCurrentIndex(0);
+  filter();
+}
+
+void EventPanel::goToEnd() {
+  atEnd_ = true;
+  toEnd_->setEnabled(false);
+  view_->scrollToBottom();
+}
+
+void EventPanel::showWhatThereIs() {
+  const bool some = shown_.rowCount() > 0;
+  pages_->setCurrentIndex(some ? 0 : 1);
+  copy_->setEnabled(some);
+  clear_->setEnabled(model_.rowCount() > 0);
+  if (some) return;
+  if (shown_.isActive() && model_.rowCount() > 0) {
+    nothing_->setTexts(tr("No event matches what is asked for above."), tr("Show &all"));
+  } else {
+    nothing_->setTexts(tr("Nothing has happened yet. What vehicles do and what goes wrong is told here."));
+  }
+}
+
+void EventPanel::prepend(const std::vector<JournalLine>& history) {
+  model_.prepend(history);
+  sizeColumns();
+  showWhatThereIs();
+  if (atEnd_) view_->scrollToBottom();
+}
+
+void EventPanel::clear() {
+  model_.clear();
+  goToEnd();
+  showWhatThereIs();
+}
+
+void EventPanel::copy() {
+  QModelIndexList rows = view_->selectionModel()->selectedRows();
+  std::sort(rows.begin(), rows.end());
+  if (rows.isEmpty())
+    for (int row = 0; row < shown_.rowCount(); ++row) rows.append(shown_.index(row, 0));
+  QStringList lines;
+  for (const QModelIndex& row : rows) {
+    QStringList cells;
+    for (int column = 0; column < EventModel::ColumnCount; ++column)
+      cells.append(row.siblingAtColumn(column).data().toString());
+    lines.append(cells.join(QLatin1Char('\t')));
+  }
+  QGuiApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
+}
+
+void EventPanel::sizeColumns() {
+  const QFontMetrics metrics = view_->fontMetrics();
+  const int space = metrics.height();
+  int time = metrics.horizontalAdvance(QStringLiteral("00:00:00"));
+  if (model_.rowCount() > 0)  // the oldest one may need its date
+    time = std::max(time, metrics.horizontalAdvance(model_.index(0, EventModel::When).data().toString()));
+  view_->setColumnWidth(EventModel::When, time + space);
+  view_->setColumnWidth(EventModel::Who, metrics.horizontalAdvance(QStringLiteral("AGV 100")) + space);
+}
+
+void EventPanel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange || event->type() == QEvent::LocaleChange) retranslate();
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::LanguageChange) sizeColumns();
+  QWidget::changeEvent(event);
+}
+
+}  // namespace tessera::ui
