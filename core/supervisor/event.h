@@ -8,6 +8,7 @@
 #include "base/ids.h"
 #include "base/sentence.h"
 #include "base/units.h"
+#include "wire/messages.h"
 
 namespace tessera::supervisor {
 
@@ -42,13 +43,21 @@ enum class EventKind {
   Answer,        ///< to Ask
 };
 
+/// What a vehicle said to an Ask, for programs.
+struct AskAnswer {
+  wire::Request request;
+  std::optional<wire::Value> value;  ///< nullopt: it did not answer
+  bool operator==(const AskAnswer&) const = default;
+};
+
 struct Event {
   Seconds time;
   Severity severity = Severity::Info;
   std::optional<VehicleId> vehicle;
   EventKind kind = EventKind::PortOpened;
-  bool over = false;  ///< closes the episode that an event of the same kind and vehicle opened
-  Sentence sentence;  ///< complete
+  bool over = false;                  ///< closes the episode that an event of the same kind and vehicle opened
+  Sentence sentence;                  ///< complete
+  std::optional<AskAnswer> answer{};  ///< of kind Answer
   bool operator==(const Event&) const = default;
 };
 

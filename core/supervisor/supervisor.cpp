@@ -189,8 +189,8 @@ void Supervisor::Impl::hear(const link::LinkEvent& event, Seconds now) {
           VehicleAgent* a = agent(e.vehicle);
           if (a == nullptr) return;
           if constexpr (std::is_same_v<E, link::Answered>)
-            log.tell(e.value ? Severity::Info : Severity::Warning, EventKind::Answer, e.vehicle,
-                     answerSentence(a->name(), e));
+            log.tellAnswer(e.value ? Severity::Info : Severity::Warning, e.vehicle, answerSentence(a->name(), e),
+                           {e.request, e.value});
           else if constexpr (std::is_same_v<E, link::CommandSent> || std::is_same_v<E, link::CommandAcknowledged>)
             a->take(e);
           else if constexpr (std::is_same_v<E, link::Silent> || std::is_same_v<E, link::Disbelieved>)
