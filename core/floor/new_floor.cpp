@@ -1,0 +1,66 @@
+#include "floor/new_floor.h"
+
+#include <array>
+#include <cstdio>
+#include <vector>
+
+namespace tessera::floor {
+namespace {
+
+TileType square(const char* name, double side, double pitch, Pattern pattern) {
+  const int places = static_cast<int>(side / pitch + 0.5);
+  const Metres half{pitch / 2};
+  return {name, Metres{side}, Metres{side}, Metres{pitch}, {half, half}, places, places, pattern, false, {}};
+}
+
+std::string serialOf(int number) {
+  std::array<char, 24> text{};
+  std::snprintf(text.data(), text.size(), "T-%04d", number);
+  return text.data();
+}
+
+// Seven bytes behind a maker's code that no maker has: nobody takes them for a real tag's.
+TagUid practiceUid(std::uint64_t number) {
+  std::array<std::uint8_t, 7> bytes{0xF0};
+  for (std::size_t i = 6; i > 0; --i, number >>= 8) bytes[i] = static_cast<std::uint8_t>(number);
+  return TagUid::fromBytes(bytes).value();
+}
+
+}  // namespace
+
+std::span<const TileType> usualTileTypes() {
+  static const std::array<TileType, 8> types{
+      square("60x60 one-in-two 15", 0.60, 0.15, Pattern::OneInTwo), square("60x60 full 15", 0.60, 0.15, Pattern::Full),
+      square("60x60 one-in-two 10", 0.60, 0.10, Pattern::OneInTwo), square("60x60 full 20", 0.60, 0.20, Pattern::Full),
+      square("45x45 one-in-two 15", 0.45, 0.15, Pattern::OneInTwo), square("45x45 full 15", 0.45, 0.15, Pattern::Full),
+      square("30x30 one-in-two 10", 0.30, 0.10, Pattern::OneInTwo), square("30x30 full 15", 0.30, 0.15, Pattern::Full)};
+  return types;
+}
+
+Result<Site> layNewFloor(const NewFloor& wish) {
+  for (const int count : {wish.columns, wish.rows}) {
+    if (count < 1 || count > NewFloor::kMost)
+      return failure("A floor has 1 to " + std::to_string(NewFloor::kMost) + " tiles along each side, not " +
+                     std::to_string(count) + ".");
+  }
+  const std::size_t tags = tagOffsets(wish.type).size();
+  if (tags == 0) return failure("The tile type " + wish.type.name + " has no tags.");
+  Site site;
+  site.name = wish.name;
+  site.tileTypes = {wish.type};
+  std::uint64_t next = 1;
+  for (int row = 0; row < wish.rows; ++row) {
+    for (int column = 0; column < wish.columns; ++column) {
+      Tile tile{serialOf(row * wish.columns + column + 1), wish.type.name, {}};
+      for (std::size_t i = 0; wish.practice && i < tags; ++i) tile.uids.push_back(practiceUid(next++));
+      site.placements.push_back({tile.serial, {column * wish.type.width, row * wish.type.height}, 0});
+      site.tiles.push_back(std::move(tile));
+    }
+  }
+  const Metres right = wish.columns * wish.type.width;
+  const Metres top = wish.rows * wish.type.height;
+  site.zones = {{"Floor", ZoneKind::Running, {{}, {right, {}}, {right, top}, {{}, top}}, {}, {}}};
+  return site;
+}
+
+}  // namespace tessera::floor

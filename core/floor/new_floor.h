@@ -1,0 +1,33 @@
+// A first floor: so many tiles of one type, side by side.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "base/result.h"
+#include "floor/site.h"
+
+namespace tessera::floor {
+
+/// The publication's sizes: 30, 45 and 60 cm, one-in-two and full, at the pitches that divide them.
+[[nodiscard]] std::span<const TileType> usualTileTypes();
+
+struct NewFloor {
+  static constexpr int kMost = 1000;  ///< tiles in a row or column
+
+  std::string name;
+  TileType type;
+  int columns = 5;  ///< tiles along x, 1 to kMost
+  int rows = 4;     ///< tiles along y, 1 to kMost
+  /// Give every tag a made-up UID, so that simulated vehicles can drive there at once. False: the tiles' tags are not
+  /// registered yet.
+  bool practice = false;
+  bool operator==(const NewFloor&) const = default;
+};
+
+/// Serial numbers T-0001, ..., row by row from the lower left corner, which is the site's origin; one running zone over
+/// all. The same site for the same wish. Error: a count out of range, or a type without tags.
+[[nodiscard]] Result<Site> layNewFloor(const NewFloor& wish);
+
+}  // namespace tessera::floor
