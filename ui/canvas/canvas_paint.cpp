@@ -1,0 +1,92 @@
+// What the canvas paints: the kept picture of the floor, the vehicles on it, the tool's own, and what helps to read it.
+#include <QFontMetricsF>
+#include <QPaintEvent>
+#include <QPainter>
+#include <algorithm>
+
+#include "ui/canvas/floor_canvas.h"
+#include "ui/canvas/furniture.h"
+#include "ui/canvas/route_painter.h"
+
+namespace tessera::ui {
+
+FloorScene FloorCanvas::scene() const { return {map_, index_, mip_, layers_, route_, font()}; }
+
+std::vector<VehicleMark> FloorCanvas::marks() const {
+  std::vector<VehicleMark> marks;
+  if (fleet_.snapshot() == nullptr) return marks;
+  const Seconds since = sinceSnapshot();
+  int index = -1;
+  for (const supervisor::VehicleView& v : fleet_.snapshot()->vehicles) {
+    ++index;
+    if (!v.located) continue;
+    marks.push_back({&v, map_->vehicle(v.id), poseAfter(v, since), theme_.vehicle(index), vehicle_ == v.id, lookOf(v)});
+  }
+  // The chosen one lies above the others.
+  std::stable_partition(marks.begin(), marks.end(), [](const VehicleMark& m) { return !m.chosen; });
+  return marks;
+}
+
+void FloorCanvas::paintEvent(QPaintEvent* event) {
+  if (view_.devicePixelRatio() != devicePixelRatioF()) view_.resize(size(), devicePixelRatioF());
+  still_.prepare(view_, scene(), theme_);
+  QPainter painter{this};
+  painter.setFont(font());
+  for (const QRect& rect : event->region()) still_.blit(painter, rect);
+  paintLive(painter, event->region());
+  const QFontMetricsF metrics{font()};
+  const int band = static_cast<int>(metrics.height() * 4);
+  if (layers_.grid && (event->region().intersects(QRect{0, 0, band, height()}) ||
+                       event->region().intersects(QRect{0, height() - band, width(), band})))
+    paintGridNumbers(painter, view_, theme_);
+  paintScaleBar(painter, view_, theme_);
+  paintNorthArrow(painter, view_, theme_, map_->site().northToY);
+  if (event->region().boundingRect() == rect()) wholeAge_.start();
+}
+
+void FloorCanvas::paintLive(QPainter& painter, const QRegion& region) {
+  const Seconds now = fleet_.snapshot() ? fleet_.snapshot()->time + sinceSnapshot() : Seconds{};
+  const std::vector<VehicleMark> all = marks();
+  painter.setRenderHint(QPainter::Antialiasing);
+  const floor::Route* chosen = route_.isEmpty() ? nullptr : map_->route(route_.toStdString());
+  if (chosen != nullptr && layers_.routes && !(tool_ && tool_->drawsChosenRoute()))
+    paintRoute(painter, view_, theme_, *chosen, RouteLook::Chosen);
+  if (layers_.trails) {
+    for (const VehicleMark& mark : all) {
+      if (const Trail* trail = fleet_.trail(mark.vehicle->id)) paintTrail(painter, view_, *trail, now, mark.colour);
+    }
+  }
+  std::vector<VehicleMark> seen;
+  for (const VehicleMark& mark : all) {
+    if (region.intersects(extentOf(mark, view_, font(), layers_).toAlignedRect())) seen.push_back(mark);
+  }
+  for (const VehicleMark& mark : seen) paintUnderVehicle(painter, view_, theme_, mark, layers_);
+  for (const FleetLayer::Flash& flash : fleet_.flashes())
+    paintFlash(painter, view_, flash.place, theme_.vehicle(flash.vehicle), (now - flash.since) / FleetLayer::kFlash);
+  for (const VehicleMark& mark : seen) paintVehicle(painter, view_, theme_, mark);
+  for (const VehicleMark& mark : seen) paintVehicleLabel(painter, view_, theme_, mark);
+  if (tool_) {
+    painter.save();
+    tool_->paint(painter, toolScene(), theme_);
+    painter.restore();
+  }
+  const floor::Site& site = map_->site();
+  if (index_->box().empty() && site.zones.empty() && site.routes.empty() && !tool_) paintEmpty(painter);
+}
+
+void FloorCanvas::paintEmpty(QPainter& painter) {
+  QFont large = font();
+  large.setPointSizeF(large.pointSizeF() * 1.35);
+  const QFontMetricsF metrics{large};
+  const QRectF area = QRectF{rect()}.adjusted(width() * 0.1, 0, -width() * 0.1, 0);
+  painter.setFont(large);
+  painter.setPen(theme_.text);
+  painter.drawText(area.translated(0, -metrics.height()), Qt::AlignCenter | Qt::TextWordWrap,
+                   tr("There is no floor to show yet."));
+  painter.setFont(font());
+  painter.setPen(theme_.quietText);
+  painter.drawText(area.translated(0, metrics.height() * 0.6), Qt::AlignCenter | Qt::TextWordWrap,
+                   tr("Open a site that has tiles, or look around on the demo floor first."));
+}
+
+}  // namespace tessera::ui

@@ -1,0 +1,137 @@
+// The floor as the operator sees it: tiles, tags, zones, routes and the vehicles on it, live. Wheel and keys zoom, the
+// middle button, space or an idle left button pan, a click chooses; a tool may take mouse and keys over.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QPointer>
+#include <QRegion>
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "ui/canvas/canvas_tool.h"
+#include "ui/canvas/fleet_layer.h"
+#include "ui/canvas/still_layer.h"
+#include "ui/canvas/vehicle_painter.h"
+
+namespace tessera::ui {
+
+class FloorCanvas : public QWidget {
+  Q_OBJECT
+public:
+  explicit FloorCanvas(QWidget* parent = nullptr);
+
+  /// Keeps the view when the floor is the same with other routes, zones or vehicles; otherwise shows the whole of it.
+  void setMap(std::shared_ptr<const floor::SiteMap> map);
+  /// Null: no supervision; vehicles are not drawn.
+  void setSnapshot(std::shared_ptr<const supervisor::Snapshot> snapshot);
+  void setSelectedVehicle(std::optional<VehicleId> vehicle);
+  void setSelectedRoute(const QString& route);
+  /// Nullptr: none. The canvas does not own it.
+  void setTool(CanvasTool* tool);
+  [[nodiscard]] CanvasTool* tool() const { return tool_; }
+  /// A step within the tool's unfinished work; false when there is none, so that the document's turn has come.
+  bool undoInTool();
+  bool redoInTool();
+
+  [[nodiscard]] const View& view() const { return view_; }
+  [[nodiscard]] const CanvasLayers& layers() const { return layers_; }
+  void setLayers(const CanvasLayers& layers);
+  /// Keeps the vehicle in the middle half of the window, until somebody pans. nullopt: no more.
+  void follow(std::optional<VehicleId> vehicle);
+  [[nodiscard]] std::optional<VehicleId> followed() const { return followed_; }
+
+  [[nodiscard]] QSize sizeHint() const override { return {960, 640}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {240, 180}; }
+  [[nodiscard]] bool isAnimating() const { return frames_.isActive(); }
+
+public Q_SLOTS:
+  void zoomIn();
+  void zoomOut();
+  void fit();
+  void centreOn(tessera::Point place);
+
+Q_SIGNALS:
+  /// Site coordinates under the cursor; nullopt: it left the canvas.
+  void pointed(std::optional<tessera::Point> place);
+  void vehiclePicked(tessera::VehicleId vehicle);
+  void routePicked(const QString& route);
+  /// A click on nothing but floor.
+  void floorPicked(tessera::Point place);
+  void scaleChanged(double pixelsPerMetre);
+  void followChanged(std::optional<tessera::VehicleId> vehicle);
+  /// By setTool(), or because Esc laid the tool down (nullptr then).
+  void toolChanged(tessera::ui::CanvasTool* tool);
+  /// What the tool says to do now; empty without one.
+  void hintChanged(const QString& hint);
+
+protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+private:
+  enum class Drag { None, Waiting, Panning };
+
+  void retranslate();
+  void refreshContent();
+  void redrawFloor();
+  void viewMoved(bool byHand);
+  void zoomBy(QPointF pixel, double factor);
+  void panByHand(QPointF pixels);
+  void showFrame();
+  void keepFollowedInView();
+  void refreshCursor();
+  [[nodiscard]] Seconds sinceSnapshot() const;
+  [[nodiscard]] std::vector<VehicleMark> marks() const;
+  [[nodiscard]] FloorScene scene() const;
+  [[nodiscard]] CanvasScene toolScene() const { return {view_, *map_, *index_}; }
+  [[nodiscard]] ToolMouse toolMouse(const QMouseEvent& event) const;
+  [[nodiscard]] std::optional<VehicleId> vehicleAt(QPointF pixel) const;
+  [[nodiscard]] QString routeAt(QPointF pixel) const;
+  void pick(QPointF pixel);
+  bool pinch(QEvent* event);
+  void showToolTip(QPoint pixel, QPoint global);
+  void paintLive(QPainter& painter, const QRegion& region);
+  void paintEmpty(QPainter& painter);
+
+  std::shared_ptr<const floor::SiteMap> map_;
+  std::shared_ptr<const FloorIndex> index_;
+  std::shared_ptr<const FloorMip> mip_;
+  SiteBox content_;
+  View view_;
+  CanvasTheme theme_;
+  CanvasLayers layers_;
+  StillLayer still_;
+  FleetLayer fleet_;
+  QPointer<CanvasTool> tool_;
+  std::optional<VehicleId> vehicle_;
+  QString route_;
+  std::optional<VehicleId> followed_;
+  bool fitting_ = true;  ///< nobody has moved the view yet: it follows the window's size
+  Drag drag_ = Drag::None;
+  Qt::MouseButton dragButton_ = Qt::NoButton;
+  QPointF pressedAt_;
+  QPointF lastAt_;
+  bool space_ = false;
+  QTimer frames_;
+  QElapsedTimer snapshotAge_;
+  QElapsedTimer wholeAge_;  ///< since trails were last painted whole
+  QRegion live_;            ///< where vehicles were painted last
+};
+
+}  // namespace tessera::ui

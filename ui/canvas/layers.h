@@ -1,0 +1,16 @@
+// What of the floor is shown; the operator switches each on and off.
+#pragma once
+
+namespace tessera::ui {
+
+struct CanvasLayers {
+  bool tags = true;
+  bool zones = true;
+  bool routes = true;
+  bool trails = true;
+  bool uncertainty = true;
+  bool grid = true;
+  bool operator==(const CanvasLayers&) const = default;
+};
+
+}  // namespace tessera::ui

@@ -1,0 +1,132 @@
+#include "ui/route/route_edits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tessera::ui {
+namespace {
+
+floor::Route* routeIn(floor::Site& site, const std::string& name) {
+  const auto found =
+      std::find_if(site.routes.begin(), site.routes.end(), [&](const floor::Route& r) { return r.name == name; });
+  return found == site.routes.end() ? nullptr : &*found;
+}
+
+tl::unexpected<Error> sentence(const QString& text) { return failure(text.toStdString()); }
+
+}  // namespace
+
+Point tidy(Point p) {
+  const auto millimetres = [](Metres m) {
+    const double most = RouteEdits::kFarthest.value();
+    return Metres{std::clamp(std::round(m.value() * 1000.0) / 1000.0, -most, most) + 0.0};
+  };
+  return {millimetres(p.x), millimetres(p.y)};
+}
+
+const floor::Route* RouteEdits::find(const QString& name) const {
+  return name.isEmpty() ? nullptr : document_.map()->route(name.toStdString());
+}
+
+QString RouteEdits::freeName() const { return freeName(tr("Route %1")); }
+
+QString RouteEdits::freeName(const QString& pattern) const {
+  for (int n = 1;; ++n) {
+    if (QString name = pattern.arg(n); find(name) == nullptr) return name;
+  }
+}
+
+Result<void> RouteEdits::change(const QString& step, const QString& route,
+                                const std::function<void(floor::Route&)>& what, int mergeKey) {
+  if (find(route) == nullptr) return sentence(tr("There is no route called “%1” any more.").arg(route));
+  return document_.edit(
+      step, [&](floor::Site& site) { what(*routeIn(site, route.toStdString())); }, mergeKey);
+}
+
+Result<QString> RouteEdits::add(std::vector<Point> vertices) {
+  if (vertices.size() < 2) return sentence(tr("A route needs at least two vertices."));
+  const QString name = freeName();
+  const auto done = document_.edit(tr("Draw %1").arg(name), [&](floor::Site& site) {
+    site.routes.push_back({name.toStdString(), std::move(vertices), floor::Route{}.controlSpacing});
+  });
+  if (!done) return tl::unexpected{done.error()};
+  return name;
+}
+
+Result<QString> RouteEdits::duplicate(const QString& route) {
+  const floor::Route* from = find(route);
+  if (from == nullptr) return sentence(tr("There is no route called “%1” any more.").arg(route));
+  // The name must stay within what a site file holds.
+  QString stem = route;
+  while (stem.toUtf8().size() > kLongestName - 30) stem.chop(1);
+  QString name;
+  for (int n = 1; name.isEmpty() || find(name) != nullptr; ++n)
+    name = n == 1 ? tr("%1 (copy)").arg(stem) : tr("%1 (copy %2)").arg(stem, QString::number(n));
+  floor::Route copy = *from;
+  copy.name = name.toStdString();
+  const auto done = document_.edit(tr("Duplicate %1").arg(route), [&](floor::Site& site) {
+    const auto at = std::find_if(site.routes.begin(), site.routes.end(),
+                                 [&](const floor::Route& r) { return r.name == route.toStdString(); });
+    site.routes.insert(at + 1, copy);
+  });
+  if (!done) return tl::unexpected{done.error()};
+  return name;
+}
+
+Result<void> RouteEdits::remove(const QString& route) {
+  if (find(route) == nullptr) return {};
+  return document_.edit(tr("Delete %1").arg(route), [&](floor::Site& site) {
+    std::erase_if(site.routes, [&](const floor::Route& r) { return r.name == route.toStdString(); });
+  });
+}
+
+Result<void> RouteEdits::rename(const QString& route, const QString& to) {
+  const QString name = to.trimmed();
+  if (name == route) return {};
+  if (name.isEmpty()) return sentence(tr("A route needs a name."));
+  if (name.toUtf8().size() > kLongestName) return sentence(tr("This name is too long for a route."));
+  if (find(name) != nullptr) return sentence(tr("There is a route called “%1” already.").arg(name));
+  return change(tr("Rename %1").arg(route), route, [&](floor::Route& r) { r.name = name.toStdString(); });
+}
+
+Result<void> RouteEdits::reverse(const QString& route) {
+  return change(tr("Reverse %1").arg(route), route,
+                [](floor::Route& r) { std::reverse(r.vertices.begin(), r.vertices.end()); });
+}
+
+Result<void> RouteEdits::setSpacing(const QString& route, Metres spacing, int mergeKey) {
+  const Metres within{std::clamp(spacing.value(), kLeastSpacing.value(), kMostSpacing.value())};
+  return change(
+      tr("Space control points of %1").arg(route), route, [&](floor::Route& r) { r.controlSpacing = within; },
+      mergeKey);
+}
+
+Result<void> RouteEdits::moveVertex(const QString& route, std::size_t vertex, Point to, int mergeKey) {
+  return change(
+      tr("Move vertex %1 of %2").arg(vertex + 1).arg(route), route,
+      [&](floor::Route& r) {
+        if (vertex < r.vertices.size()) r.vertices[vertex] = to;
+      },
+      mergeKey);
+}
+
+Result<void> RouteEdits::insertVertex(const QString& route, std::size_t before, Point place) {
+  const floor::Route* r = find(route);
+  if (r != nullptr && r->vertices.size() >= kMostVertices)
+    return sentence(tr("This route has as many vertices as a route may have."));
+  return change(tr("Insert vertex into %1").arg(route), route, [&](floor::Route& to) {
+    const auto at = static_cast<std::ptrdiff_t>(std::min(before, to.vertices.size()));
+    to.vertices.insert(to.vertices.begin() + at, place);
+  });
+}
+
+Result<void> RouteEdits::removeVertex(const QString& route, std::size_t vertex) {
+  const floor::Route* r = find(route);
+  if (r != nullptr && r->vertices.size() <= 2)
+    return sentence(tr("A route needs two vertices; to remove it, delete the route."));
+  return change(tr("Delete vertex %1 of %2").arg(vertex + 1).arg(route), route, [&](floor::Route& from) {
+    if (vertex < from.vertices.size()) from.vertices.erase(from.vertices.begin() + static_cast<std::ptrdiff_t>(vertex));
+  });
+}
+
+}  // namespace tessera::ui

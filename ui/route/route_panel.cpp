@@ -1,0 +1,194 @@
+#include "ui/route/route_panel.h"
+
+#include <QAction>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QItemSelectionModel>
+#include <QLabel>
+#include <QListWidget>
+#include <QLocale>
+#include <QStackedWidget>
+#include <QTableView>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "base/polyline.h"
+
+namespace tessera::ui {
+namespace {
+
+constexpr int kNameRole = Qt::UserRole;  // the name as the document has it, while the item's text is being edited
+constexpr int kFirstSpacingKey = 2'000'000;
+
+}  // namespace
+
+RoutePanel::RoutePanel(SiteDocument& document, Selection& selection, QWidget* parent)
+    : QWidget{parent},
+      document_{document},
+      selection_{selection},
+      edits_{document},
+      vertices_{new VertexModel{document, this}},
+      spacingKey_{kFirstSpacingKey} {
+  setObjectName("routePanel");
+  makeActions();
+  pages_ = new QStackedWidget{this};
+  pages_->addWidget(makeEmptyPage());
+  pages_->addWidget(makeListPage());
+  auto* layout = new QVBoxLayout{this};
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(pages_);
+  connect(&document_, &SiteDocument::changed, this, &RoutePanel::refreshList);
+  connect(&selection_, &Selection::routeChanged, this, [this] {
+    ++spacingKey_;
+    refreshList();
+  });
+  connect(vertices_, &VertexModel::refused, this, &RoutePanel::refused);
+  retranslate();
+  refreshList();
+}
+
+void RoutePanel::refreshList() {
+  filling_ = true;
+  const floor::Site& site = document_.site();
+  const int chosenBefore = list_->currentRow();
+  const bool sameCount = list_->count() == static_cast<int>(site.routes.size());
+  const bool wasChosen = chosenBefore >= 0 && list_->item(chosenBefore)->data(kNameRole) == selection_.route();
+  while (list_->count() > static_cast<int>(site.routes.size())) delete list_->takeItem(list_->count() - 1);
+  int chosen = -1;
+  for (int n = 0; n < static_cast<int>(site.routes.size()); ++n) {
+    const QString name = QString::fromStdString(site.routes[static_cast<std::size_t>(n)].name);
+    if (n == list_->count()) list_->addItem(new QListWidgetItem);
+    QListWidgetItem* item = list_->item(n);
+    item->setFlags(item->flags() | Qt::ItemIsEditable);
+    item->setText(name);
+    item->setData(kNameRole, name);
+    if (name == selection_.route()) chosen = n;
+  }
+  if (chosen < 0) {
+    list_->setCurrentRow(-1);
+    list_->clearSelection();
+  } else if (list_->currentRow() != chosen || !list_->item(chosen)->isSelected()) {
+    list_->setCurrentRow(chosen);
+  }
+  pages_->setCurrentIndex(site.routes.empty() ? 0 : 1);
+  filling_ = false;
+  if (chosen < 0 && !selection_.route().isEmpty()) {
+    // The chosen route has another name now (renamed, or that undone), or it is gone.
+    selection_.setRoute(sameCount && wasChosen ? list_->item(chosenBefore)->text() : QString{});
+  }
+  refreshDetails();
+}
+
+void RoutePanel::refreshDetails() {
+  const floor::Route* route = edits_.find(selection_.route());
+  const auto current = currentVertex();
+  filling_ = true;
+  vertices_->setRoute(selection_.route());
+  details_->setEnabled(route != nullptr);
+  for (QAction* action : {rename_, duplicate_, reverse_, delete_}) action->setEnabled(route != nullptr);
+  if (route != nullptr) spacing_->setValue(route->controlSpacing.value());
+  filling_ = false;
+  if (current && *current < static_cast<std::size_t>(vertices_->rowCount()) && !currentVertex()) setVertex(current);
+  const auto vertex = currentVertex();
+  insertVertex_->setEnabled(route != nullptr);
+  deleteVertex_->setEnabled(route != nullptr && vertex && vertices_->rowCount() > 2);
+  if (route == nullptr) {
+    length_->setText({});
+    return;
+  }
+  const QLocale locale;
+  const Metres way = Polyline{route->vertices}.length();
+  const double seconds = std::round(way.value() / speed_->value());
+  const QString metres = locale.toString(way.value(), 'f', 2);
+  if (seconds < 100.0) {
+    length_->setText(tr("%1 m, about %2 s").arg(metres, locale.toString(seconds, 'f', 0)));
+  } else {
+    length_->setText(tr("%1 m, about %2 min %3 s")
+                         .arg(metres, locale.toString(std::floor(seconds / 60.0), 'f', 0),
+                              locale.toString(std::fmod(seconds, 60.0), 'f', 0)));
+  }
+}
+
+void RoutePanel::renamed(QListWidgetItem* item) {
+  if (filling_) return;
+  const QString from = item->data(kNameRole).toString();
+  tell(edits_.rename(from, item->text()));
+  refreshList();  // a name that was refused gives way to the old one
+}
+
+void RoutePanel::setVertex(std::optional<std::size_t> vertex) {
+  if (vertex == currentVertex()) return;
+  filling_ = true;
+  if (vertex && *vertex < static_cast<std::size_t>(vertices_->rowCount())) {
+    const int column = std::max(0, table_->currentIndex().column());
+    table_->setCurrentIndex(vertices_->index(static_cast<int>(*vertex), std::min<int>(column, VertexModel::kY)));
+  } else {
+    table_->clearSelection();
+    table_->setCurrentIndex({});
+  }
+  filling_ = false;
+  deleteVertex_->setEnabled(currentVertex() && vertices_->rowCount() > 2);
+}
+
+std::optional<std::size_t> RoutePanel::currentVertex() const {
+  const QModelIndex index = table_->currentIndex();
+  return index.isValid() ? std::optional{static_cast<std::size_t>(index.row())} : std::nullopt;
+}
+
+void RoutePanel::startRenaming() {
+  if (QListWidgetItem* item = list_->currentItem()) {
+    list_->setFocus();
+    list_->editItem(item);
+  }
+}
+
+void RoutePanel::insertVertex() {
+  const floor::Route* route = edits_.find(selection_.route());
+  if (route == nullptr) return;
+  // Into the leg that begins at the current vertex; behind the last one half a metre straight on.
+  const std::vector<Point>& all = route->vertices;
+  const std::size_t at = std::min(currentVertex().value_or(all.size() - 1), all.size() - 1);
+  Point place;
+  if (at + 1 < all.size()) {
+    place = all[at] + 0.5 * (all[at + 1] - all[at]);
+  } else {
+    const Offset leg = all[at] - all[at - 1];
+    const double share = length(leg) > Metres{} ? 0.5 / length(leg).value() : 0.0;
+    place = share > 0.0 ? all[at] + share * leg : all[at] + Offset{Metres{0.5}, Metres{}};
+  }
+  const auto done = edits_.insertVertex(selection_.route(), at + 1, tidy(place));
+  tell(done);
+  if (done) {
+    setVertex(at + 1);
+    Q_EMIT vertexSelected(at + 1);
+  }
+}
+
+void RoutePanel::deleteVertex() {
+  const auto vertex = currentVertex();
+  if (!vertex) return;
+  tell(edits_.removeVertex(selection_.route(), *vertex));
+}
+
+void RoutePanel::duplicate() {
+  const auto copy = edits_.duplicate(selection_.route());
+  if (!copy) return tell(tl::unexpected{copy.error()});
+  selection_.setRoute(*copy);
+  startRenaming();
+}
+
+void RoutePanel::tell(const Result<void>& result) {
+  if (!result) Q_EMIT refused(QString::fromStdString(result.error().sentence));
+}
+
+void RoutePanel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange || event->type() == QEvent::LocaleChange) {
+    retranslate();
+    vertices_->retranslate();
+    refreshDetails();
+  }
+  QWidget::changeEvent(event);
+}
+
+}  // namespace tessera::ui

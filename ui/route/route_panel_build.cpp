@@ -1,0 +1,184 @@
+// The widgets of the route panel, their actions and their texts.
+#include <QAction>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QTableView>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include "ui/base/icon.h"
+#include "ui/route/metre_delegate.h"
+#include "ui/route/route_panel.h"
+
+namespace tessera::ui {
+
+void RoutePanel::makeActions() {
+  const auto make = [this](const char* name, const char* picture) {
+    auto* action = new QAction{icon(picture), {}, this};
+    action->setObjectName(name);
+    return action;
+  };
+  draw_ = make("drawRouteAction", "add");
+  rename_ = make("renameRouteAction", "rename");
+  duplicate_ = make("duplicateRouteAction", "duplicate");
+  reverse_ = make("reverseRouteAction", "reverse");
+  delete_ = make("deleteRouteAction", "delete");
+  insertVertex_ = make("insertVertexAction", "add");
+  deleteVertex_ = make("deleteVertexAction", "delete");
+  rename_->setShortcut(Qt::Key_F2);
+  delete_->setShortcut(QKeySequence::Delete);
+  insertVertex_->setShortcut(Qt::Key_Insert);
+  deleteVertex_->setShortcut(QKeySequence::Delete);
+  for (QAction* action : {rename_, delete_, insertVertex_, deleteVertex_})
+    action->setShortcutContext(Qt::WidgetShortcut);
+  connect(draw_, &QAction::triggered, this, &RoutePanel::drawRequested);
+  connect(rename_, &QAction::triggered, this, &RoutePanel::startRenaming);
+  connect(duplicate_, &QAction::triggered, this, &RoutePanel::duplicate);
+  connect(reverse_, &QAction::triggered, this, [this] { tell(edits_.reverse(selection_.route())); });
+  connect(delete_, &QAction::triggered, this, [this] { tell(edits_.remove(selection_.route())); });
+  connect(insertVertex_, &QAction::triggered, this, &RoutePanel::insertVertex);
+  connect(deleteVertex_, &QAction::triggered, this, &RoutePanel::deleteVertex);
+}
+
+QWidget* RoutePanel::makeEmptyPage() {
+  auto* page = new QWidget;
+  emptyText_ = new QLabel;
+  emptyText_->setWordWrap(true);
+  emptyText_->setAlignment(Qt::AlignCenter);
+  emptyButton_ = new QPushButton{icon("route"), {}};
+  emptyButton_->setObjectName("drawFirstRoute");
+  connect(emptyButton_, &QPushButton::clicked, this, &RoutePanel::drawRequested);
+  auto* layout = new QVBoxLayout{page};
+  layout->addStretch();
+  layout->addWidget(emptyText_);
+  layout->addSpacing(fontMetrics().height() / 2);
+  layout->addWidget(emptyButton_, 0, Qt::AlignCenter);
+  layout->addStretch();
+  return page;
+}
+
+QWidget* RoutePanel::makeListPage() {
+  auto* page = new QSplitter{Qt::Vertical};
+  page->setObjectName("routeSplitter");
+  page->setChildrenCollapsible(false);
+  auto* upper = new QWidget;
+  auto* layout = new QVBoxLayout{upper};
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  routeBar_ = new QToolBar;
+  const int side = fontMetrics().height() + 2;
+  routeBar_->setIconSize({side, side});
+  routeBar_->addActions({draw_, rename_, duplicate_, reverse_, delete_});
+  list_ = new QListWidget;
+  list_->setObjectName("routeList");
+  list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  list_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  list_->addActions({rename_, duplicate_, reverse_, delete_});
+  connect(list_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
+    if (!filling_ && item != nullptr) selection_.setRoute(item->text());
+  });
+  connect(list_, &QListWidget::itemChanged, this, &RoutePanel::renamed);
+  layout->addWidget(routeBar_);
+  layout->addWidget(list_);
+  details_ = makeDetails();
+  page->addWidget(upper);
+  page->addWidget(details_);
+  page->setStretchFactor(0, 2);
+  page->setStretchFactor(1, 3);
+  return page;
+}
+
+QWidget* RoutePanel::makeDetails() {
+  auto* page = new QWidget;
+  page->setObjectName("routeDetails");
+  vertexBar_ = new QToolBar;
+  const int side = fontMetrics().height() + 2;
+  vertexBar_->setIconSize({side, side});
+  vertexBar_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  vertexBar_->addActions({insertVertex_, deleteVertex_});
+  table_ = new QTableView;
+  table_->setObjectName("vertexTable");
+  table_->setModel(vertices_);
+  table_->setItemDelegate(new MetreDelegate{table_});
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setTabKeyNavigation(false);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
+  table_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  table_->addActions({insertVertex_, deleteVertex_});
+  connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
+    deleteVertex_->setEnabled(currentVertex() && vertices_->rowCount() > 2);
+    if (!filling_) Q_EMIT vertexSelected(currentVertex());
+  });
+  const auto makeBox = [](const char* name, double low, double high, double step) {
+    auto* box = new QDoubleSpinBox;
+    box->setObjectName(name);
+    box->setDecimals(2);
+    box->setRange(low, high);
+    box->setSingleStep(step);
+    box->setKeyboardTracking(false);
+    return box;
+  };
+  spacing_ = makeBox("controlSpacing", RouteEdits::kLeastSpacing.value(), RouteEdits::kMostSpacing.value(), 0.05);
+  connect(spacing_, &QDoubleSpinBox::valueChanged, this, [this](double metres) {
+    if (!filling_) tell(edits_.setSpacing(selection_.route(), Metres{metres}, spacingKey_));
+  });
+  speed_ = makeBox("estimateSpeed", 0.01, 20.0, 0.05);
+  speed_->setValue(0.20);
+  connect(speed_, &QDoubleSpinBox::valueChanged, this, &RoutePanel::refreshDetails);
+  spacingLabel_ = new QLabel;
+  spacingLabel_->setBuddy(spacing_);
+  speedLabel_ = new QLabel;
+  speedLabel_->setBuddy(speed_);
+  lengthLabel_ = new QLabel;
+  length_ = new QLabel;
+  length_->setObjectName("routeLength");
+  length_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* form = new QFormLayout;
+  form->addRow(spacingLabel_, spacing_);
+  form->addRow(speedLabel_, speed_);
+  form->addRow(lengthLabel_, length_);
+  auto* layout = new QVBoxLayout{page};
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(vertexBar_);
+  layout->addWidget(table_, 1);
+  layout->addLayout(form);
+  return page;
+}
+
+void RoutePanel::retranslate() {
+  emptyText_->setText(
+      tr("This site has no route yet. A route is the way that a vehicle drives: click its vertices on the floor."));
+  emptyButton_->setText(tr("&Draw a route"));
+  const auto name = [](QAction* action, const QString& text, const QString& tip) {
+    action->setText(text);
+    action->setToolTip(action->shortcut().isEmpty()
+                           ? tip
+                           : QStringLiteral("%1 (%2)").arg(tip, action->shortcut().toString(QKeySequence::NativeText)));
+  };
+  name(draw_, tr("&New route"), tr("Draw a new route on the floor"));
+  name(rename_, tr("Re&name"), tr("Rename the route"));
+  name(duplicate_, tr("D&uplicate"), tr("Make another route of the same vertices"));
+  name(reverse_, tr("&Reverse"), tr("Drive the route the other way round"));
+  name(delete_, tr("&Delete route"), tr("Delete the route"));
+  name(insertVertex_, tr("&Insert vertex"), tr("Insert a vertex after the chosen one"));
+  name(deleteVertex_, tr("Delete &vertex"), tr("Delete the chosen vertex"));
+  list_->setAccessibleName(tr("Routes"));
+  table_->setAccessibleName(tr("Vertices of the route"));
+  spacingLabel_->setText(tr("&Control points every"));
+  spacing_->setSuffix(tr(" m"));
+  spacing_->setToolTip(tr("Distance of the points that the vehicle is led to, one after the other"));
+  speedLabel_->setText(tr("At a &speed of"));
+  speed_->setSuffix(tr(" m/s"));
+  speed_->setToolTip(tr("For the driving time shown below; each run has a speed of its own"));
+  lengthLabel_->setText(tr("Length and time"));
+  length_->setToolTip(tr("Length divided by speed; turning at corners comes on top."));
+}
+
+}  // namespace tessera::ui
