@@ -26,6 +26,19 @@ TagUid practiceUid(std::uint64_t number) {
   return TagUid::fromBytes(bytes).value();
 }
 
+// As the demo sites have it; the key is known to everybody.
+VehicleSetup practiceVehicle(Point middle) {
+  VehicleSetup v;
+  v.id = VehicleId{1};
+  v.name = "AGV 1";
+  v.key.fill(0xF0);
+  v.readers = {{Metres{0.15}, Metres{0.1}}, {Metres{0.15}, Metres{}}, {Metres{0.15}, Metres{-0.1}}};
+  const auto corner = [](double x, double y) { return Point{Metres{x}, Metres{y}}; };
+  v.footprint = {corner(-0.2, -0.18), corner(0.2, -0.18), corner(0.2, 0.18), corner(-0.2, 0.18)};
+  v.start = Pose{middle, Radians{}};
+  return v;
+}
+
 }  // namespace
 
 std::span<const TileType> usualTileTypes() {
@@ -60,6 +73,7 @@ Result<Site> layNewFloor(const NewFloor& wish) {
   const Metres right = wish.columns * wish.type.width;
   const Metres top = wish.rows * wish.type.height;
   site.zones = {{"Floor", ZoneKind::Running, {{}, {right, {}}, {right, top}, {{}, top}}, {}, {}}};
+  if (wish.practice) site.vehicles = {practiceVehicle({right / 2.0, top / 2.0})};
   return site;
 }
 

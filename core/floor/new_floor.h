@@ -20,8 +20,8 @@ struct NewFloor {
   TileType type;
   int columns = 5;  ///< tiles along x, 1 to kMost
   int rows = 4;     ///< tiles along y, 1 to kMost
-  /// Give every tag a made-up UID, so that simulated vehicles can drive there at once. False: the tiles' tags are not
-  /// registered yet.
+  /// Give every tag a made-up UID and put a vehicle in the middle, so that it can drive in the simulated world at once.
+  /// False: no vehicles, and the tiles' tags are not registered yet.
   bool practice = false;
   bool operator==(const NewFloor&) const = default;
 };

@@ -25,6 +25,14 @@ TEST(NewFloor, givesEveryTagOfAPracticeFloorAUidOfItsOwn) {
   EXPECT_EQ((*map)->tags().size(), 6U * 8U);
 }
 
+TEST(NewFloor, putsAVehicleIntoTheMiddleOfAPracticeFloorAlone) {
+  const auto site = layNewFloor(wish(true)).value();
+  ASSERT_EQ(site.vehicles.size(), 1U);
+  EXPECT_NEAR(site.vehicles[0].start->position.x.value(), 0.9, 1e-12);
+  EXPECT_NEAR(site.vehicles[0].start->position.y.value(), 0.6, 1e-12);
+  EXPECT_TRUE(layNewFloor(wish(false)).value().vehicles.empty());
+}
+
 TEST(NewFloor, isASiteThatItsFileGivesBack) {
   for (const TileType& type : usualTileTypes()) {
     const auto site = layNewFloor({"Hall", type, 2, 2, true}).value();
