@@ -204,7 +204,9 @@ QString situation(const supervisor::Snapshot* snapshot, const supervisor::Vehicl
         .arg(name, faultWords(vehicle->faults).join(W::tr(", ", "between faults")));
   if (const QString waits = said(vehicle->waits); !waits.isEmpty()) return waits;
   if (const QString next = nextStep(condition, *vehicle, name); !next.isEmpty()) return next;
-  return said(vehicle->doing);
+  const QString doing = said(vehicle->doing);
+  return doing.isEmpty() ? W::tr("%1 drives along the route %2.").arg(name, QString::fromStdString(vehicle->route))
+                         : doing;
 }
 
 Metres placeUncertainty(const supervisor::VehicleView& vehicle) {

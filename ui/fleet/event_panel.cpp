@@ -55,6 +55,7 @@ void EventPanel::build() {
   words_ = new QLineEdit{this};
   words_->setObjectName(QStringLiteral("wordsFilter"));
   words_->setClearButtonEnabled(true);
+  words_->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
   connect(severity_, &QComboBox::currentIndexChanged, this, &EventPanel::filter);
   connect(vehicle_, &QComboBox::currentIndexChanged, this, &EventPanel::filter);
   connect(words_, &QLineEdit::textChanged, this, &EventPanel::filter);

@@ -131,7 +131,8 @@ QVariant VehicleModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole:
       return tip(row, column);
     case Qt::TextAlignmentRole:
-      return column >= Speed ? QVariant{Qt::AlignRight | Qt::AlignVCenter} : QVariant{Qt::AlignLeft | Qt::AlignVCenter};
+      return column == Speed || column == Age ? QVariant{Qt::AlignRight | Qt::AlignVCenter}
+                                              : QVariant{Qt::AlignLeft | Qt::AlignVCenter};
     case SortRole:
       return sortKey(row, column);
     case VehicleRole:

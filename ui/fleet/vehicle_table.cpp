@@ -59,7 +59,7 @@ void VehicleTable::build() {
   view_->setSortingEnabled(true);
   view_->sortByColumn(-1, Qt::AscendingOrder);  // the order of the site
   view_->header()->setSectionsMovable(true);
-  view_->header()->setStretchLastSection(false);
+  view_->header()->setStretchLastSection(true);
   connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &VehicleTable::takeCurrent);
   connect(view_, &QWidget::customContextMenuRequested, this, &VehicleTable::openMenu);
   connect(view_, &QAbstractItemView::activated, this, [this](const QModelIndex& index) {

@@ -31,6 +31,7 @@ QVariant VehicleModel::shown(const Row& row, int column) const {
       if (row.age == kUnknown) return nothing;
       return row.age < 100 ? tr("%1 s").arg(number(row.age, 0.1, 1)) : tr("%1 s").arg(number(row.age / 10, 1.0, 0));
     case Place:
+      if (row.age == kUnknown) return nothing;
       return row.uncertainty == kUnknown ? tr("unknown") : tr("± %1 cm").arg(number(row.uncertainty, 0.1, 1));
     default:
       return {};
@@ -130,7 +131,8 @@ QString VehicleModel::tip(const Row& row, int column) const {
 QVariant VehicleModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
   if (role == Qt::TextAlignmentRole)
-    return section >= Speed ? QVariant{Qt::AlignRight | Qt::AlignVCenter} : QVariant{Qt::AlignLeft | Qt::AlignVCenter};
+    return section == Speed || section == Age ? QVariant{Qt::AlignRight | Qt::AlignVCenter}
+                                              : QVariant{Qt::AlignLeft | Qt::AlignVCenter};
   if (role != Qt::DisplayRole) return {};
   switch (section) {
     case Name:
