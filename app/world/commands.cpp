@@ -6,8 +6,12 @@
 #include <cstdio>
 #include <map>
 #include <optional>
+#include <span>
 #include <sstream>
+#include <utility>
 #include <vector>
+
+#include "wire/frame.h"
 
 namespace tessera::world {
 
@@ -60,13 +64,15 @@ std::optional<std::vector<std::uint8_t>> hexBytes(const std::string& word) {
   return bytes;
 }
 
-/// The vehicle that the second word names, if there is one.
-std::optional<VehicleId> vehicle(const Words& words, const sim::World& world) {
-  const auto value = words.size() > 1 ? number(words[1]) : std::nullopt;
-  if (!value || *value < 1 || *value > 254) return std::nullopt;
+/// The vehicle that the word at this place of the line names, if there is one.
+std::optional<VehicleId> vehicle(const Words& words, std::size_t place, const sim::World& world) {
+  const auto value = wholeNumber(words, place, 254);
+  if (!value) return std::nullopt;
   const VehicleId id{static_cast<std::uint8_t>(*value)};
-  return world.truth(id) && std::floor(*value) == *value ? std::optional{id} : std::nullopt;
+  return world.truth(id) ? std::optional{id} : std::nullopt;
 }
+/// As the word behind the command.
+std::optional<VehicleId> vehicle(const Words& words, const sim::World& world) { return vehicle(words, 1, world); }
 
 using Answer = Result<std::string>;
 
@@ -130,10 +136,17 @@ Answer inject(const Words& w, sim::World& world) {
 }
 
 Answer corrupt(const Words& w, sim::World& world) {
-  const auto n = count(w, 1'000'000);
-  if (!n) return misused("corrupt N, with N from 1 to 1000000");
-  world.tap().corruptNext(*n, {}, 7);  // behind the header, so that the frame still looks like one
-  return "a byte will change in each of the next " + w[1] + " packets";
+  const auto n = wholeNumber(w, 1, 1'000'000);
+  const auto sender = w.size() == 4 && w[2] == "from" ? vehicle(w, 3, world) : std::nullopt;
+  if (!n || (w.size() != 2 && !sender))
+    return misused("corrupt N, or corrupt N from ID, with N from 1 to 1000000 and the address of a vehicle");
+  sim::ChannelTap::Filter which;
+  if (sender)
+    which = [from = sender->value](std::span<const std::uint8_t> packet) {
+      return packet.size() >= wire::kFrameOverhead && packet[0] == wire::kSync && packet[3] == from;
+    };
+  world.tap().corruptNext(*n, std::move(which), 7);  // behind the header, so that the frame still looks like one
+  return "a byte will change in each of the next " + w[1] + " packets" + (sender ? " of vehicle " + w[3] : "");
 }
 
 Answer drop(const Words& w, sim::World& world) {
@@ -163,11 +176,20 @@ Answer where(const Words& w, sim::World& world) {
   return std::string{text.data()};
 }
 
+Answer jumpers(const Words& w, sim::World& world) {
+  const auto bit = [&](std::size_t place) { return w[place] == "0" || w[place] == "1"; };
+  if (w.size() != 3 || !bit(1) || !bit(2))
+    return misused("jumpers M0 M1, each 0 or 1; 0 0 is normal mode, 1 1 configuration");
+  const int mode = (w[1] == "1" ? 1 : 0) + (w[2] == "1" ? 2 : 0);
+  world.setHostMode(static_cast<firmware::RadioMode>(mode));
+  return "the host's radio module goes into mode " + std::to_string(mode);
+}
+
 using Command = Answer (*)(const Words&, sim::World&);
 const std::map<std::string, Command, std::less<>> kCommands{
-    {"kill", kill},     {"start", start},   {"push", push},     {"obstacle", obstacle},
-    {"ranger", ranger}, {"noise", noise},   {"inject", inject}, {"corrupt", corrupt},
-    {"drop", drop},     {"replay", replay}, {"where", where}};
+    {"kill", kill},         {"jumpers", jumpers}, {"start", start},   {"push", push},
+    {"obstacle", obstacle}, {"ranger", ranger},   {"noise", noise},   {"inject", inject},
+    {"corrupt", corrupt},   {"drop", drop},       {"replay", replay}, {"where", where}};
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "app/world/commands.h"
 #include "app/world/line_reader.h"
@@ -234,6 +235,7 @@ TEST_F(CommandsTest, doWhatTheySay) {
   EXPECT_EQ(obey("ranger 1 0 off", world(), *this), "ranger 0 of vehicle 1 is dead");
   EXPECT_EQ(obey("ranger 1 0 on", world(), *this), "ranger 0 of vehicle 1 answers again");
   EXPECT_TRUE(done("corrupt 2"));
+  EXPECT_EQ(obey("corrupt 2 from 1", world(), *this), "a byte will change in each of the next 2 packets of vehicle 1");
   EXPECT_TRUE(done("drop 1"));
   EXPECT_TRUE(done("where 1"));
   EXPECT_TRUE(done(""));
@@ -243,12 +245,12 @@ TEST_F(CommandsTest, doWhatTheySay) {
 }
 
 TEST_F(CommandsTest, refuseWhatMakesNoSenseWithASentence) {
-  for (const std::string line :
-       {"kill",           "kill 2",         "kill 1 1",       "kill -1",         "kill 1e9",   "start x", "push 1 2 3",
-        "push 1 nan 0 0", "push 1 0 0 inf", "obstacle 1 2",   "obstacle 1 2 -1", "noise",      "noise 0", "noise 1.5",
-        "noise 1e12",     "inject",         "inject a",       "inject zz",       "replay 1",   "drop",    "corrupt x",
-        "ranger 1 2 off", "ranger 1 0",     "ranger 2 0 off", "ranger 1 0 away", "replay 1 0", "where",   "pull now",
-        "dance",          "quit quit"}) {
+  std::istringstream lines{
+      "kill\nkill 2\nkill 1 1\nkill -1\nkill 1e9\nstart x\npush 1 2 3\npush 1 nan 0 0\npush 1 0 0 inf\n"
+      "obstacle 1 2\nobstacle 1 2 -1\nnoise\nnoise 0\nnoise 1.5\nnoise 1e12\ninject\ninject a\ninject zz\n"
+      "replay 1\ndrop\ncorrupt x\nranger 1 2 off\nranger 1 0\nranger 2 0 off\nranger 1 0 away\nreplay 1 0\n"
+      "corrupt 1 from 2\ncorrupt 1 from\ncorrupt 1 1\nwhere\npull now\ndance\nquit quit\n"};
+  for (std::string line; std::getline(lines, line);) {
     const auto answer = obey(line, world(), *this);
     ASSERT_FALSE(answer) << line;
     EXPECT_EQ(answer.error().sentence.back(), '.') << line;
