@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 namespace tessera::floor {
 namespace {
@@ -33,6 +34,48 @@ std::string described(const json* value) {
 // 0.6 as "0.6".
 std::string plain(double v) { return json(v).dump(); }
 
+// Follows a parser through a document, to know the place of each key.
+class KeyWatch {
+public:
+  explicit KeyWatch(JsonErrors& errors) : errors_{errors} {}
+  void see(json::parse_event_t event, const json& parsed) {
+    switch (event) {
+      case json::parse_event_t::object_start:
+      case json::parse_event_t::array_start:
+        levels_.emplace_back();
+        levels_.back().array = event == json::parse_event_t::array_start;
+        return;
+      case json::parse_event_t::object_end:
+      case json::parse_event_t::array_end:
+        levels_.pop_back();
+        break;
+      case json::parse_event_t::key:
+        levels_.back().key = parsed.get<std::string>();
+        if (!levels_.back().keys.insert(levels_.back().key).second)
+          errors_.add(pointer(), "this key stands twice in one object.");
+        return;
+      case json::parse_event_t::value:
+        break;
+    }
+    if (!levels_.empty()) ++levels_.back().index;
+  }
+
+private:
+  struct Level {
+    bool array = false;
+    std::size_t index = 0;  ///< in an array
+    std::string key;        ///< in an object
+    std::set<std::string> keys;
+  };
+  [[nodiscard]] std::string pointer() const {
+    std::string s;
+    for (const Level& level : levels_) s += "/" + (level.array ? std::to_string(level.index) : escaped(level.key));
+    return s;
+  }
+  JsonErrors& errors_;
+  std::vector<Level> levels_;
+};
+
 bool contains(std::initializer_list<std::string_view> keys, std::string_view key) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
@@ -41,6 +84,14 @@ bool contains(std::initializer_list<std::string_view> keys, std::string_view key
 
 void JsonErrors::add(const std::string& pointer, const std::string& sentence) {
   if (!first_) first_ = Error{document_ + ": " + (pointer.empty() ? "the document" : pointer) + ": " + sentence};
+}
+
+json parseJson(std::string_view text, JsonErrors& errors) {
+  KeyWatch watch{errors};
+  return json::parse(text, [&](int, json::parse_event_t event, const json& parsed) {
+    watch.see(event, parsed);
+    return true;
+  });
 }
 
 std::string JsonNode::pointer() const {

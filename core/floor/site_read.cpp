@@ -238,8 +238,8 @@ Result<Site> parseSite(std::string_view text, const std::string& name) {
   if (text.size() > kMaxText) return failure(name + ": a site file has at most 64 MiB.");
   if (tooDeep(text)) return failure(name + ": expected a site, found a text that nests deeper than 16 levels.");
   try {
-    const json document = json::parse(text);
     JsonErrors errors{name};
+    const json document = parseJson(text, errors);
     Site site = readSite(JsonNode{errors, document});
     if (errors.first()) return tl::unexpected{*errors.first()};
     return site;

@@ -48,6 +48,19 @@ TEST(SiteErrors, nameMissingAndUnknownKeys) {
   EXPECT_THAT(verdict(withRest(R"("a/b~c": 1)")), StartsWith("my.tessera.json: /a~1b~0c: ")) << "RFC 6901";
 }
 
+TEST(SiteErrors, nameAKeyThatStandsTwiceInOneObject) {
+  EXPECT_EQ(verdict(withRest(R"("name": "m")")), "my.tessera.json: /name: this key stands twice in one object.");
+  EXPECT_EQ(verdict(withRest(R"("tiles": [{"serial": "A", "type": "t", "uids": [null, "04B15F82"]},
+                                          {"serial": "B", "type": "t", "uids": [], "type": "u"}])")),
+            "my.tessera.json: /tiles/1/type: this key stands twice in one object.");
+  EXPECT_THAT(verdict(R"({"a/b": {"c": [[1, 2], {"d": 1, "d": 1}]}})"),
+              HasSubstr("/a~1b/c/1/d: this key stands twice"));
+  EXPECT_EQ(verdict(withRest(R"("tiles": [{"serial": "A", "type": "t", "uids": []},
+                                          {"serial": "B", "type": "t", "uids": []}])")),
+            "taken")
+      << "in two objects";
+}
+
 TEST(SiteErrors, nameLineAndColumnOfWhatIsNoJson) {
   EXPECT_THAT(verdict("{\n  \"format\": tessera\n}"), HasSubstr("line 2, column 14"));
   EXPECT_THAT(verdict(""), HasSubstr("line 1, column 1"));
