@@ -22,7 +22,11 @@ constexpr double kLongAgo = -std::numeric_limits<double>::infinity();
 
 KalmanLocator::KalmanLocator(std::shared_ptr<const floor::SiteMap> map, const floor::VehicleSetup& vehicle,
                              const KalmanOptions& options, DiscModel model)
-    : map_{std::move(map)}, vehicle_{vehicle}, options_{options}, model_{model}, odometry_{vehicle.maxSpeed} {
+    : intake_{std::move(map), std::min(vehicle.readers.size(), kMaxReaders)},
+      vehicle_{vehicle},
+      options_{options},
+      model_{model},
+      odometry_{vehicle.maxSpeed} {
   model_.radius = vehicle.readerRadius.value();
   records_.reserve(kPruneAt + 1);
   reset(vehicle.start);
@@ -40,11 +44,11 @@ void KalmanLocator::reset(std::optional<Pose> pose) {
 void KalmanLocator::add(const Motion& motion) {
   const bool first = odometry_.empty();
   if (!std::isfinite(motion.at.value() + motion.travel.value() + motion.speed.value() + motion.heading.value())) {
-    ++counters_.invalid;
+    ++intake_.counters.invalid;
     return;
   }
   if (motion.at.value() < baseAt_ || !odometry_.add(motion)) {
-    ++counters_.tooLate;
+    ++intake_.counters.tooLate;
     return;
   }
   if (first) base_.evidenceTravel = odometry_.at(motion.at.value()).travel;
@@ -58,27 +62,20 @@ void KalmanLocator::add(const Motion& motion) {
 }
 
 bool KalmanLocator::usable(int reader, Seconds at) {
-  if (reader < 0 || static_cast<std::size_t>(reader) >= std::min(vehicle_.readers.size(), kMaxReaders) ||
-      !std::isfinite(at.value())) {
-    ++counters_.invalid;
-    return false;
-  }
+  if (!intake_.valid(reader, at)) return false;
   const double oldest = odometry_.empty() ? baseAt_ : std::max(baseAt_, odometry_.last().value() - kHistory.value());
   if (at.value() < oldest) {
-    ++counters_.tooLate;
+    ++intake_.counters.tooLate;
     return false;
   }
   return true;
 }
 
 void KalmanLocator::add(const TagRead& read) {
-  ++counters_.reads;
+  ++intake_.counters.reads;
   if (!usable(read.reader, read.at)) return;
-  const std::optional<Point> place = map_->find(read.uid);
-  if (!place) {
-    ++counters_.unknownTags;
-    return;
-  }
+  const std::optional<Point> place = intake_.placeOf(read.uid);
+  if (!place) return;
   Record record;
   record.at = read.at.value();
   record.kind = Kind::Read;
@@ -87,7 +84,7 @@ void KalmanLocator::add(const TagRead& read) {
   const std::size_t index = insert(record);
   replay(index);
   if (odometry_.empty()) return;
-  if (records_[index].verdict == Verdict::Rejected) ++counters_.rejected;
+  if (records_[index].verdict == Verdict::Rejected) ++intake_.counters.rejected;
   if (records_[index].verdict != Verdict::Accepted) findAnew(index);
 }
 
@@ -232,7 +229,7 @@ void KalmanLocator::startFrom(const Record& read) {
   const auto place =
       std::lower_bound(records_.begin(), records_.end(), read.at, [](const Record& r, double at) { return r.at < at; });
   const auto index = static_cast<std::size_t>(std::distance(records_.begin(), records_.insert(place, found)));
-  ++counters_.reacquisitions;
+  ++intake_.counters.reacquisitions;
   replay(index);
 }
 

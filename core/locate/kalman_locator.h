@@ -9,6 +9,7 @@
 
 #include "locate/kalman_filter.h"
 #include "locate/locator.h"
+#include "locate/tag_intake.h"
 
 namespace tessera::locate {
 
@@ -26,7 +27,7 @@ public:
   [[nodiscard]] Estimate at(Seconds now) const override;
   [[nodiscard]] Seconds lastMotion() const override { return odometry_.last(); }
   void reset(std::optional<Pose> pose) override;
-  [[nodiscard]] const LocatorCounters& counters() const override { return counters_; }
+  [[nodiscard]] const LocatorCounters& counters() const override { return intake_.counters; }
   [[nodiscard]] std::string_view name() const override { return kName; }
 
 private:
@@ -70,7 +71,7 @@ private:
   void startFrom(const Record& read);
   [[nodiscard]] Eigen::Vector2d lever(int reader, double heading) const;
 
-  std::shared_ptr<const floor::SiteMap> map_;
+  TagIntake intake_;
   floor::VehicleSetup vehicle_;
   KalmanOptions options_;
   DiscModel model_;
@@ -78,7 +79,6 @@ private:
   State base_;           ///< before the first record
   double baseAt_ = 0.0;  ///< its instant; observations from before cannot be placed
   std::vector<Record> records_;
-  LocatorCounters counters_;
 };
 
 }  // namespace tessera::locate

@@ -6,7 +6,7 @@
 namespace tessera::locate {
 
 TagCentreLocator::TagCentreLocator(std::shared_ptr<const floor::SiteMap> map, const floor::VehicleSetup& vehicle)
-    : map_{std::move(map)}, vehicle_{vehicle}, odometry_{vehicle.maxSpeed} {
+    : intake_{std::move(map), vehicle.readers.size()}, vehicle_{vehicle}, odometry_{vehicle.maxSpeed} {
   reset(vehicle.start);
 }
 
@@ -26,7 +26,7 @@ void TagCentreLocator::add(const Motion& motion) {
     anchorAt_ = odometry_.last() - 0.5 * kHistory;
   }
   if (!odometry_.add(motion)) {
-    ++counters_.tooLate;
+    ++intake_.counters.tooLate;
     return;
   }
   if (!first) return;
@@ -38,23 +38,13 @@ void TagCentreLocator::add(const Motion& motion) {
   }
 }
 
-bool TagCentreLocator::usable(int reader, Seconds at) {
-  if (reader >= 0 && static_cast<std::size_t>(reader) < vehicle_.readers.size() && std::isfinite(at.value()))
-    return true;
-  ++counters_.invalid;
-  return false;
-}
-
 void TagCentreLocator::add(const TagRead& read) {
-  ++counters_.reads;
-  if (!usable(read.reader, read.at)) return;
-  const std::optional<Point> place = map_->find(read.uid);
-  if (!place) {
-    ++counters_.unknownTags;
-    return;
-  }
+  ++intake_.counters.reads;
+  if (!intake_.valid(read.reader, read.at)) return;
+  const std::optional<Point> place = intake_.placeOf(read.uid);
+  if (!place) return;
   if (known_ && read.at < anchorAt_) {
-    ++counters_.tooLate;
+    ++intake_.counters.tooLate;
     return;
   }
   anchorAt_ = read.at;
@@ -64,13 +54,13 @@ void TagCentreLocator::add(const TagRead& read) {
     anchor_ = *place;
     return;
   }
-  if (!known_) ++counters_.reacquisitions;
+  if (!known_) ++intake_.counters.reacquisitions;
   const Radians heading{odometry_.at(read.at.value()).heading};
   anchor_ = *place - turned(vehicle_.readers[static_cast<std::size_t>(read.reader)], heading);
   known_ = true;
 }
 
-void TagCentreLocator::add(const TagLeft& left) { static_cast<void>(usable(left.reader, left.at)); }
+void TagCentreLocator::add(const TagLeft& left) { static_cast<void>(intake_.valid(left.reader, left.at)); }
 
 Point TagCentreLocator::after(Seconds until) const {
   Point place = anchor_;

@@ -4,6 +4,7 @@
 
 #include "locate/locator.h"
 #include "locate/odometry.h"
+#include "locate/tag_intake.h"
 
 namespace tessera::locate {
 
@@ -20,14 +21,13 @@ public:
   [[nodiscard]] Estimate at(Seconds now) const override;
   [[nodiscard]] Seconds lastMotion() const override { return odometry_.last(); }
   void reset(std::optional<Pose> pose) override;
-  [[nodiscard]] const LocatorCounters& counters() const override { return counters_; }
+  [[nodiscard]] const LocatorCounters& counters() const override { return intake_.counters; }
   [[nodiscard]] std::string_view name() const override { return kName; }
 
 private:
-  [[nodiscard]] bool usable(int reader, Seconds at);
   [[nodiscard]] Point after(Seconds until) const;
 
-  std::shared_ptr<const floor::SiteMap> map_;
+  TagIntake intake_;
   floor::VehicleSetup vehicle_;
   Odometry odometry_;
   bool known_ = false;
@@ -35,7 +35,6 @@ private:
   int reader_ = 0;
   Point anchor_;
   Seconds anchorAt_;
-  LocatorCounters counters_;
 };
 
 }  // namespace tessera::locate
