@@ -46,6 +46,11 @@ std::vector<RadioRow> RadioRows::compare(const std::optional<link::E32Parameters
   const auto way = [](const link::E32Parameters& p) { return p.fixedTransmission ? tr("fixed") : tr("transparent"); };
   const auto correction = [](const link::E32Parameters& p) { return p.forwardErrorCorrection ? tr("on") : tr("off"); };
   const auto power = [](const link::E32Parameters& p) { return powerText(p.power); };
+  const auto format = [](const link::E32Parameters& p) {
+    using Parity = link::E32Parameters::Parity;
+    return p.parity == Parity::None ? QStringLiteral("8N1") : p.parity == Parity::Odd ? QStringLiteral("8O1") : QStringLiteral("8E1");
+  };
+  const auto outputs = [](const link::E32Parameters& p) { return p.pushPull ? tr("push-pull") : tr("open collector"); };
 
   std::vector<RadioRow> rows;
   const auto add = [&](const QString& name, auto text, bool matters) {
@@ -59,6 +64,8 @@ std::vector<RadioRow> RadioRows::compare(const std::optional<link::E32Parameters
   add(tr("Transmission"), way, true);
   add(tr("Error correction"), correction, true);
   add(tr("Port's baud rate"), baud, true);
+  add(tr("Port's format"), format, true);
+  add(tr("Outputs"), outputs, true);
   add(tr("Transmit power"), power, false);
   return rows;
 }

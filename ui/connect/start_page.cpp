@@ -7,10 +7,7 @@
 namespace tessera::ui {
 
 StartPage::StartPage(QWidget* parent)
-    : QWidget{parent},
-      demo_{QStringLiteral("demo-floor")},
-      new_{QStringLiteral("site-new")},
-      open_{QStringLiteral("site-open")} {
+    : QWidget{parent}, demo_{QStringLiteral("demo")}, new_{QStringLiteral("new")}, open_{QStringLiteral("open")} {
   setProperty("helpTopic", QStringLiteral("start"));
   QFont large = font();
   large.setPointSizeF(large.pointSizeF() * 2.6);
@@ -54,8 +51,8 @@ void StartPage::retranslate() {
   name_.setText(tr("Tessera"));
   sentence_.setText(tr("Watch and guide automated vehicles that find their way by RFID tags in a tile floor."));
   demo_.setTexts(tr("&Demo floor"), tr("A simulated floor on which a vehicle drives at once. Nothing to plug in."));
-  new_.setTexts(tr("&New site"), tr("Begin with an empty floor: lay tiles, draw routes, set up vehicles."));
-  open_.setTexts(tr("&Open…"), tr("Open a site file (*.tessera.json or *.tessera)."));
+  new_.setTexts(tr("&New site"), tr("Lay a floor of so many tiles, then draw routes and set up vehicles."));
+  open_.setTexts(tr("&Open…"), tr("Open a site that was saved before (*.tessera.json)."));
 }
 
 void StartPage::changeEvent(QEvent* event) {
