@@ -119,6 +119,8 @@ std::size_t World::hostRoom() const { return kPortRoom - std::min(kPortRoom, hos
 
 std::vector<std::uint8_t> World::takeHostBytes() { return host_.takeUart(time_); }
 
+void World::setHostMode(firmware::RadioMode mode) { host_.setMode(mode, time_); }
+
 World::Vehicle* World::find(VehicleId id) const {
   const auto it = std::find_if(vehicles_.begin(), vehicles_.end(), [&](const auto& v) { return v->body->id() == id; });
   return it == vehicles_.end() ? nullptr : it->get();

@@ -59,6 +59,8 @@ public:
   [[nodiscard]] std::size_t hostRoom() const;
   [[nodiscard]] std::vector<std::uint8_t> takeHostBytes();
   static constexpr std::size_t kPortRoom = 1024;
+  /// Sets the jumpers M0 and M1 of the host's module; it changes over when it has nothing left to send or to tell.
+  void setHostMode(firmware::RadioMode mode);
 
   // The truth.
   [[nodiscard]] std::vector<VehicleId> vehicles() const;
