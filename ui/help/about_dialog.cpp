@@ -53,7 +53,7 @@ AboutDialog::AboutDialog(QWidget* parent, const QString& sqliteVersion)
   connect(&buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   retranslate();
   const int line = fontMetrics().height();
-  resize(line * 40, line * 30);
+  resize(line * 46, line * 30);
 }
 
 QString AboutDialog::report() const {

@@ -33,7 +33,8 @@ HelpWindow::HelpWindow(QWidget* parent) : QWidget{parent, Qt::Window} {
   connect(&browser_, &QTextBrowser::backwardAvailable, &back_, &QAction::setEnabled);
   connect(&browser_, &QTextBrowser::forwardAvailable, &forward_, &QAction::setEnabled);
   connect(&browser_, &QTextBrowser::anchorClicked, this, &HelpWindow::follow);
-  connect(&browser_, &QTextBrowser::sourceChanged, this, [this] {
+  connect(&browser_, &QTextBrowser::sourceChanged, this, [this](const QUrl& url) {
+    topic_ = QFileInfo{url.path()}.completeBaseName();
     const QSignalBlocker quiet{&contents_};
     for (int i = 0; i < contents_.count(); ++i)
       if (contents_.item(i)->data(Qt::UserRole).toString() == topic()) contents_.setCurrentRow(i);
@@ -73,8 +74,6 @@ void HelpWindow::layOut() {
   whole->addWidget(&bar_);
   whole->addWidget(&splitter_, 1);
 }
-
-QString HelpWindow::topic() const { return QFileInfo{browser_.source().path()}.completeBaseName(); }
 
 void HelpWindow::showTopic(const QString& topic) {
   if (!search_.text().isEmpty()) search_.clear();

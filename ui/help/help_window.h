@@ -23,7 +23,7 @@ public:
 
   /// Shows that page; the first one when there is no such topic.
   void showTopic(const QString& topic);
-  [[nodiscard]] QString topic() const;
+  [[nodiscard]] const QString& topic() const { return topic_; }
 
 protected:
   void changeEvent(QEvent* event) override;
@@ -37,6 +37,8 @@ private:
   void follow(const QUrl& url);
 
   HelpPages pages_;
+  QString topic_;
+  QSplitter splitter_;  // before what lies in it, so that it goes after
   QToolBar bar_;
   QAction back_;
   QAction forward_;
@@ -45,7 +47,6 @@ private:
   QLabel none_;
   QListWidget contents_;
   QTextBrowser browser_;
-  QSplitter splitter_;
 };
 
 }  // namespace tessera::ui

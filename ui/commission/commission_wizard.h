@@ -1,0 +1,47 @@
+// Sets a vehicle up, from its measures to its first drive, or changes one that stands in the site.
+#pragma once
+
+#include <QLabel>
+#include <QWizard>
+#include <optional>
+
+#include "ui/commission/commissioning.h"
+
+namespace tessera::ui {
+
+class CommissionWizard : public QWizard {
+  Q_OBJECT
+public:
+  enum Page { kType, kName, kFirmware, kKey, kContact, kSettings, kReaders, kCompass, kJog, kDrive, kSummary, kPages };
+
+  /// editing: a vehicle of the site to change; nullopt: a new one.
+  CommissionWizard(FleetLink& link, SiteDocument& document, std::optional<VehicleId> editing = std::nullopt,
+                   QWidget* parent = nullptr);
+
+  /// The vehicle that was set up or changed; nullopt: none, or given up.
+  [[nodiscard]] std::optional<VehicleId> vehicle() const { return work_.standing(); }
+  /// As far as it is known by now.
+  [[nodiscard]] const floor::VehicleSetup& draft() const { return work_.draft(); }
+  void reject() override;
+  bool validateCurrentPage() override;
+
+Q_SIGNALS:
+  /// A page needs the vehicles: show the connection dialogue, or connect again.
+  void connectRequested();
+  /// The site has other vehicles than before: supervision must begin anew with it.
+  void siteChanged();
+
+protected:
+  void changeEvent(QEvent* event) override;
+
+private:
+  void retranslate();
+  void showSteps();
+  [[nodiscard]] QString shortName(Page page) const;
+
+  Commissioning work_;
+  QLabel steps_;
+  bool paired_ = false;
+};
+
+}  // namespace tessera::ui

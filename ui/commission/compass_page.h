@@ -1,0 +1,49 @@
+// Does the compass tell where the nose points? Live bearing, and the calibration in which the vehicle turns on the
+// spot.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QPushButton>
+
+#include "ui/commission/ask_series.h"
+#include "ui/commission/heading_dial.h"
+#include "ui/commission/step_page.h"
+
+namespace tessera::ui {
+
+class CompassPage : public StepPage {
+  Q_OBJECT
+public:
+  explicit CompassPage(Commissioning& work, QWidget* parent = nullptr);
+  void initializePage() override;
+
+protected:
+  void retranslate() override;
+  void refresh(const supervisor::VehicleView* vehicle) override;
+  void hideEvent(QHideEvent* event) override;
+
+private:
+  enum class Phase { Idle, Asking, Turning, Reading };
+
+  void calibrate();
+  void stop();
+  void hear(const supervisor::AskAnswer& answer);
+  void end(Notice::Tone tone, const QString& sentence);
+  void showButtons();
+
+  AskSeries series_;
+  Phase phase_ = Phase::Idle;
+  bool turned_ = false;
+  bool reachable_ = false;
+  QElapsedTimer sinceStart_;
+  HeadingDial dial_;
+  QLabel bearing_;
+  QLabel hint_;
+  QPushButton right_;
+  QPushButton calibrate_;
+  QPushButton stop_;
+  Notice result_;
+};
+
+}  // namespace tessera::ui

@@ -1,0 +1,46 @@
+// The key that vehicle and site share: the vehicle obeys nobody who does not have it.
+#pragma once
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRadioButton>
+
+#include "ui/commission/step_page.h"
+
+namespace tessera::ui {
+
+class KeyPage : public StepPage {
+  Q_OBJECT
+public:
+  explicit KeyPage(Commissioning& work, QWidget* parent = nullptr);
+  void initializePage() override;
+
+Q_SIGNALS:
+  /// The vehicle has taken a key that only this site has.
+  void paired();
+
+protected:
+  void retranslate() override;
+  void refresh(const supervisor::VehicleView* vehicle) override;
+
+private:
+  void useTypedKey();
+  void showKind();
+  void showKey();
+
+  QLabel why_;
+  QRadioButton pairKind_;
+  QLabel pairHint_;
+  QPushButton pair_;
+  QRadioButton knownKind_;
+  QLineEdit typed_;
+  QPushButton use_;
+  QLabel keyLabel_;
+  QLineEdit key_;
+  QPushButton reveal_;
+  QPushButton copy_;
+  Notice result_;
+};
+
+}  // namespace tessera::ui

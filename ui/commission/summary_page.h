@@ -1,0 +1,32 @@
+// What was done and what was not, in plain words, before the wizard ends.
+#pragma once
+
+#include <QLabel>
+#include <QWizardPage>
+
+#include "ui/base/notice.h"
+#include "ui/commission/commissioning.h"
+
+namespace tessera::ui {
+
+class SummaryPage : public QWizardPage {
+  Q_OBJECT
+public:
+  explicit SummaryPage(Commissioning& work, QWidget* parent = nullptr);
+  void initializePage() override { retranslate(); }
+  void cleanupPage() override {}
+  [[nodiscard]] static QString nameOf(Commissioning::Step step);
+  [[nodiscard]] static QString nameOf(Commissioning::Mark mark);
+
+protected:
+  void changeEvent(QEvent* event) override;
+
+private:
+  void retranslate();
+
+  Commissioning& work_;
+  QLabel list_;
+  Notice notice_;
+};
+
+}  // namespace tessera::ui
