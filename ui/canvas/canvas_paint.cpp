@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "ui/base/vehicle_colour.h"
 #include "ui/canvas/floor_canvas.h"
 #include "ui/canvas/furniture.h"
 #include "ui/canvas/route_painter.h"
@@ -16,11 +17,10 @@ std::vector<VehicleMark> FloorCanvas::marks() const {
   std::vector<VehicleMark> marks;
   if (fleet_.snapshot() == nullptr) return marks;
   const Seconds since = sinceSnapshot();
-  int index = -1;
   for (const supervisor::VehicleView& v : fleet_.snapshot()->vehicles) {
-    ++index;
     if (!v.located) continue;
-    marks.push_back({&v, map_->vehicle(v.id), poseAfter(v, since), theme_.vehicle(index), vehicle_ == v.id, lookOf(v)});
+    marks.push_back({&v, map_->vehicle(v.id), poseAfter(v, since), vehicleColour(map_->site(), v.id, palette()),
+                     vehicle_ == v.id, lookOf(v)});
   }
   // The chosen one lies above the others.
   std::stable_partition(marks.begin(), marks.end(), [](const VehicleMark& m) { return !m.chosen; });
@@ -34,11 +34,10 @@ void FloorCanvas::paintEvent(QPaintEvent* event) {
   painter.setFont(font());
   for (const QRect& rect : event->region()) still_.blit(painter, rect);
   paintLive(painter, event->region());
-  const QFontMetricsF metrics{font()};
-  const int band = static_cast<int>(metrics.height() * 4);
-  if (layers_.grid && (event->region().intersects(QRect{0, 0, band, height()}) ||
-                       event->region().intersects(QRect{0, height() - band, width(), band})))
-    paintGridNumbers(painter, view_, theme_);
+  const QSize band = rulerBand(font()).toSize();
+  if (layers_.grid && (event->region().intersects(QRect{0, 0, band.width(), height()}) ||
+                       event->region().intersects(QRect{0, height() - band.height(), width(), band.height()})))
+    paintRulers(painter, view_, theme_);
   paintScaleBar(painter, view_, theme_);
   paintNorthArrow(painter, view_, theme_, map_->site().northToY);
   if (event->region().boundingRect() == rect()) wholeAge_.start();
@@ -60,10 +59,11 @@ void FloorCanvas::paintLive(QPainter& painter, const QRegion& region) {
   for (const VehicleMark& mark : all) {
     if (region.intersects(extentOf(mark, view_, font(), layers_).toAlignedRect())) seen.push_back(mark);
   }
-  for (const VehicleMark& mark : seen) paintUnderVehicle(painter, view_, theme_, mark, layers_);
+  for (const VehicleMark& mark : seen) paintGhost(painter, view_, theme_, mark);
   for (const FleetLayer::Flash& flash : fleet_.flashes())
-    paintFlash(painter, view_, flash.place, theme_.vehicle(flash.vehicle), (now - flash.since) / FleetLayer::kFlash);
-  for (const VehicleMark& mark : seen) paintVehicle(painter, view_, theme_, mark);
+    paintFlash(painter, view_, flash.place, vehicleColour(map_->site(), flash.vehicle, palette()),
+               (now - flash.since) / FleetLayer::kFlash);
+  for (const VehicleMark& mark : seen) paintVehicle(painter, view_, theme_, mark, layers_);
   for (const VehicleMark& mark : seen) paintVehicleLabel(painter, view_, theme_, mark);
   if (tool_) {
     painter.save();

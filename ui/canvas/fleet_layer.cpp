@@ -28,11 +28,10 @@ Pose poseAfter(const supervisor::VehicleView& v, Seconds since) {
   return {placeOf(v.pose, {way, Metres{}}), v.pose.heading};
 }
 
-void FleetLayer::setSnapshot(std::shared_ptr<const supervisor::Snapshot> snapshot, const floor::SiteMap* map) {
+void FleetLayer::setSnapshot(std::shared_ptr<const supervisor::Snapshot> snapshot) {
   if (snapshot && snapshot_ && snapshot->time < snapshot_->time) clear();  // another run
   snapshot_ = std::move(snapshot);
   if (!snapshot_) return;
-  int index = 0;
   for (const supervisor::VehicleView& vehicle : snapshot_->vehicles) {
     Trail& trail = trails_[vehicle.id];
     if (vehicle.located) {
@@ -40,7 +39,7 @@ void FleetLayer::setSnapshot(std::shared_ptr<const supervisor::Snapshot> snapsho
     } else {
       trail.interrupt();
     }
-    takeReads(vehicle, index++, map);
+    takeReads(vehicle);
   }
 }
 
@@ -65,6 +64,13 @@ bool FleetLayer::advance(Seconds sinceSnapshot) {
   return std::any_of(snapshot_->vehicles.begin(), snapshot_->vehicles.end(), isMoving);
 }
 
-void FleetLayer::takeReads(const supervisor::VehicleView& /*vehicle*/, int /*index*/, const floor::SiteMap* /*map*/) {}
+void FleetLayer::takeReads(const supervisor::VehicleView& vehicle) {
+  const auto last = lastRead_.try_emplace(vehicle.id, snapshot_->time - kFlash).first;
+  for (const supervisor::ReadView& read : vehicle.recentReads) {
+    if (read.at <= last->second) continue;
+    last->second = read.at;
+    if (read.place) flashes_.push_back({*read.place, read.at, vehicle.id});
+  }
+}
 
 }  // namespace tessera::ui

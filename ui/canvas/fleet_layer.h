@@ -8,7 +8,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include "floor/site_map.h"
 #include "supervisor/snapshot.h"
 #include "ui/canvas/trail.h"
 
@@ -33,10 +32,10 @@ public:
   struct Flash {
     Point place;
     Seconds since;  ///< the snapshot's clock
-    int vehicle;    ///< place in the site's list, for the colour
+    VehicleId vehicle;
   };
 
-  void setSnapshot(std::shared_ptr<const supervisor::Snapshot> snapshot, const floor::SiteMap* map);
+  void setSnapshot(std::shared_ptr<const supervisor::Snapshot> snapshot);
   /// Trails and flashes of another site mean nothing here.
   void clear();
 
@@ -48,7 +47,7 @@ public:
   bool advance(Seconds sinceSnapshot);
 
 private:
-  void takeReads(const supervisor::VehicleView& vehicle, int index, const floor::SiteMap* map);
+  void takeReads(const supervisor::VehicleView& vehicle);
 
   std::shared_ptr<const supervisor::Snapshot> snapshot_;
   std::unordered_map<VehicleId, Trail> trails_;

@@ -7,7 +7,7 @@
 namespace tessera::ui {
 namespace {
 
-constexpr double kFitMargin = 44.0;
+constexpr double kFitMargin = 60.0;
 constexpr double kZoomStep = 1.5;
 constexpr int kFrameMs = 16;
 constexpr qint64 kWholeEveryMs = 1000;  // trails fade as a whole this often; in between only vehicles are painted
@@ -83,7 +83,7 @@ void FloorCanvas::redrawFloor() {
 }
 
 void FloorCanvas::setSnapshot(std::shared_ptr<const supervisor::Snapshot> snapshot) {
-  fleet_.setSnapshot(std::move(snapshot), map_.get());
+  fleet_.setSnapshot(std::move(snapshot));
   snapshotAge_.start();
   if (!isVisible()) return;
   if (!frames_.isActive()) {

@@ -29,8 +29,10 @@ FloorMip::FloorMip(const FloorIndex& floor) : cell_{floor.pitch()} {
   const double area = std::max(box.width().value(), 0.1) * std::max(box.height().value(), 0.1);
   while (area / (cell_.value() * cell_.value()) > kMostCells) cell_ *= 2.0;
   const double size = cell_.value();
-  low_ = {anchor.x - std::ceil((anchor.x - box.low.x) / cell_ + 1e-9) * cell_,
-          anchor.y - std::ceil((anchor.y - box.low.y) / cell_ + 1e-9) * cell_};
+  // By sixteens, so that tiles' edges fall on those of the coarser cells as well.
+  const Metres block = 16.0 * cell_;
+  low_ = {anchor.x - std::ceil((anchor.x - box.low.x) / block - 1e-9) * block,
+          anchor.y - std::ceil((anchor.y - box.low.y) / block - 1e-9) * block};
   Level level;
   level.columns = static_cast<std::size_t>((box.high.x - low_.x) / cell_) + 2;
   level.rows = static_cast<std::size_t>((box.high.y - low_.y) / cell_) + 2;
@@ -43,9 +45,9 @@ FloorMip::FloorMip(const FloorIndex& floor) : cell_{floor.pitch()} {
     return level.cells[std::min(row, level.rows - 1) * level.columns + std::min(column, level.columns - 1)];
   };
   for (const FloorIndex::Tile& tile : floor.tiles()) {
-    const double left = (tile.box.low.x - low_.x) / cell_;
+    const double left = std::max(0.0, (tile.box.low.x - low_.x) / cell_);
     const double right = (tile.box.high.x - low_.x) / cell_;
-    const double bottom = (tile.box.low.y - low_.y) / cell_;
+    const double bottom = std::max(0.0, (tile.box.low.y - low_.y) / cell_);
     const double top = (tile.box.high.y - low_.y) / cell_;
     for (auto row = static_cast<std::size_t>(bottom); row < level.rows && static_cast<double>(row) < top; ++row) {
       const double high = std::min(top, static_cast<double>(row) + 1) - std::max(bottom, static_cast<double>(row));
@@ -118,7 +120,7 @@ FloorMip::Picture FloorMip::picture(const SiteBox& box, double pixelsPerMetre, c
   std::array<QRgb, 32 * 32> colours{};
   for (int tags = 0; tags < 32; ++tags) {
     for (int missing = 0; missing < 32; ++missing) {
-      const QRgb tagged = mixed(theme.tile.rgb(), theme.tag.rgb(), tags * 255 * 5 / (31 * 8));
+      const QRgb tagged = mixed(theme.tile.rgb(), theme.tag.rgb(), tags * 255 / (31 * 4));
       colours[static_cast<std::size_t>(missing * 32 + tags)] =
           mixed(tagged, theme.missingTag.rgb(), std::min(255, missing * 255 * 6 / (31 * 8)));
     }

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kSerialPixels = 110.0;  // a tile of this width has room for its serial number
 constexpr double kSeamPixels = 7.0;
+constexpr double kGridSeams = 30.0;
 
 QRectF pixelRect(const View& view, const SiteBox& box) {
   return QRectF{view.toPixel(box.low), view.toPixel(box.high)}.normalized();
@@ -120,7 +121,8 @@ void paintFloor(QImage& image, const View& view, const FloorScene& scene, const 
     paintFarFloor(painter, view, scene, theme, box);
   }
   if (scene.layers.zones && scene.map) paintZones(painter, view, scene.map->site().zones, theme);
-  if (scene.layers.grid) paintGrid(painter, view, theme, true);
+  // Where seams show, they are the floor's grid.
+  if (scene.layers.grid && view.pixels(scene.index->smallestTile()) < kGridSeams) paintGrid(painter, view, theme, true);
   painter.end();
   if (near && scene.layers.tags) stampTags(image, view, scene, theme, box, clip);
   if (!scene.layers.routes || !scene.map) return;

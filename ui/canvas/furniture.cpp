@@ -79,26 +79,44 @@ void paintGrid(QPainter& painter, const View& view, const CanvasTheme& theme, bo
   paintLines(painter, view, step, QPen{theme.grid, 0});
 }
 
-void paintGridNumbers(QPainter& painter, const View& view, const CanvasTheme& theme) {
+void paintRulers(QPainter& painter, const View& view, const CanvasTheme& theme) {
   const Metres step = niceLength(view.scale(), kGridPixels);
   const QFontMetricsF metrics{painter.font()};
-  const double gap = metrics.height() * 0.3;
+  const QSizeF size = view.size();
+  const QSizeF band = rulerBand(painter.font());
+  const double gap = metrics.height() * 0.25;
   const SiteBox box = view.visible();
+  QColor back = theme.background;
+  back.setAlpha(238);
+  painter.fillRect(QRectF{0, 0, band.width(), size.height() - band.height()}, back);
+  painter.fillRect(QRectF{0, size.height() - band.height(), size.width(), band.height()}, back);
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  painter.setPen(theme.quietText);
   forEachStep(box.low.x, box.high.x, step, [&](Metres x) {
     const QString text = stepText(x, step);
-    const double at = view.toPixel({x, Metres{}}).x() - metrics.horizontalAdvance(text) / 2;
-    if (at < metrics.height() * 3 || at > view.size().width() - metrics.height() * 2) return;
-    paintHaloText(painter, {at, view.size().height() - metrics.descent() - gap / 2}, text, theme.quietText,
-                  theme.background);
+    const double at = std::round(view.toPixel({x, Metres{}}).x());
+    const double left = at - metrics.horizontalAdvance(text) / 2;
+    if (left < band.width() + gap) return;
+    painter.drawLine(QLineF{at, size.height() - band.height(), at, size.height() - band.height() + 3});
+    painter.drawText(QPointF{left, size.height() - metrics.descent() - 1}, text);
   });
   forEachStep(box.low.y, box.high.y, step, [&](Metres y) {
-    const double at = view.toPixel({Metres{}, y}).y() + metrics.capHeight() / 2;
-    if (at < metrics.height() || at > view.size().height() - metrics.height() * 1.8) return;
-    paintHaloText(painter, {gap, at}, stepText(y, step), theme.quietText, theme.background);
+    const QString text = stepText(y, step);
+    const double at = std::round(view.toPixel({Metres{}, y}).y());
+    if (at > size.height() - band.height() - metrics.height() / 2) return;
+    painter.drawLine(QLineF{band.width() - 3, at, band.width(), at});
+    painter.drawText(QPointF{band.width() - gap - 3 - metrics.horizontalAdvance(text), at + metrics.capHeight() / 2},
+                     text);
   });
-  // The unit stands once, in the corner where both rows meet.
-  paintHaloText(painter, {gap, view.size().height() - metrics.descent() - gap / 2}, canvasText("x, y (m)"),
-                theme.quietText, theme.background);
+  // The unit stands once, in the corner where both meet.
+  const QString unit = canvasText("m");
+  painter.drawText(
+      QPointF{band.width() - gap - 3 - metrics.horizontalAdvance(unit), size.height() - metrics.descent() - 1}, unit);
+}
+
+QSizeF rulerBand(const QFont& font) {
+  const QFontMetricsF metrics{font};
+  return {metrics.horizontalAdvance(QStringLiteral("-000.00")) + metrics.height() * 0.3, metrics.height() + 4};
 }
 
 void paintScaleBar(QPainter& painter, const View& view, const CanvasTheme& theme) {
@@ -108,7 +126,8 @@ void paintScaleBar(QPainter& painter, const View& view, const CanvasTheme& theme
   const double width = view.pixels(length);
   const double pad = metrics.height() * 0.5;
   const double line = metrics.height();
-  const QRectF panel{view.size().width() - width - 4 * pad, view.size().height() - line - 3.6 * pad, width + 2 * pad,
+  const QRectF panel{view.size().width() - width - 4 * pad,
+                     view.size().height() - rulerBand(painter.font()).height() - line - 2.6 * pad, width + 2 * pad,
                      line + 1.6 * pad};
   const auto crisp = [](double v) { return std::round(v) + 0.5; };
   const double y = crisp(panel.bottom() - 0.7 * pad);

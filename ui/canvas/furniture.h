@@ -18,8 +18,10 @@ namespace tessera::ui {
 
 /// Lines of the grid; `onFloor` draws the fainter ones that lie over the tiles.
 void paintGrid(QPainter& painter, const View& view, const CanvasTheme& theme, bool onFloor);
-/// Numbers of the grid along the left and the lower edge.
-void paintGridNumbers(QPainter& painter, const View& view, const CanvasTheme& theme);
+/// Numbers of the grid in bands along the left and the lower edge.
+void paintRulers(QPainter& painter, const View& view, const CanvasTheme& theme);
+/// Width of the left band, height of the lower one.
+[[nodiscard]] QSizeF rulerBand(const QFont& font);
 void paintScaleBar(QPainter& painter, const View& view, const CanvasTheme& theme);
 /// northToY: see floor::Site.
 void paintNorthArrow(QPainter& painter, const View& view, const CanvasTheme& theme, Radians northToY);

@@ -1,14 +1,12 @@
 #include "ui/canvas/theme.h"
 
-#include <array>
-
 namespace tessera::ui {
 
 CanvasTheme::CanvasTheme(const QPalette& palette)
     : dark{palette.color(QPalette::Window).lightness() < 128}, text{palette.color(QPalette::Text)} {
   const auto pick = [this](QRgb light, QRgb night) { return QColor::fromRgb(dark ? night : light); };
-  background = pick(0xE4E7EB, 0x1A1D21);
-  grid = pick(0xD3D8DE, 0x25292F);
+  background = pick(0xDADEE4, 0x1A1D21);
+  grid = pick(0xC9CFD7, 0x262B31);
   tile = pick(0xFAFBFC, 0x2B3037);
   seam = pick(0xDCE1E7, 0x3A414A);
   serial = pick(0xA9B2BD, 0x5F6975);
@@ -47,16 +45,6 @@ QColor CanvasTheme::zone(floor::ZoneKind kind) const {
       return QColor::fromRgb(dark ? 0x5CC7D6 : 0x13798A);
   }
   return quietText;
-}
-
-QColor CanvasTheme::vehicle(int index) const {
-  // After Okabe and Ito, without the reds and ambers that mean fault and waiting here; lighter on dark.
-  static constexpr std::array<QRgb, 8> kLight{0x0072B2, 0x008B67, 0xB3478F, 0x4B3FA7,
-                                              0x2A93C9, 0x7A8B1F, 0x7D5A3C, 0x4A5A6A};
-  static constexpr std::array<QRgb, 8> kDark{0x4DA9E8, 0x2CC79A, 0xE58BC4, 0x9C90F2,
-                                             0x7FD0F7, 0xBFD04A, 0xCFA27C, 0xA9B8C8};
-  const auto at = static_cast<std::size_t>(index < 0 ? 0 : index) % kLight.size();
-  return QColor::fromRgb(dark ? kDark[at] : kLight[at]);
 }
 
 }  // namespace tessera::ui

@@ -32,8 +32,6 @@ struct CanvasTheme {
   QColor silent;
 
   [[nodiscard]] QColor zone(floor::ZoneKind kind) const;
-  /// Of the vehicle at that place in the site's list; repeats after eight.
-  [[nodiscard]] QColor vehicle(int index) const;
 };
 
 }  // namespace tessera::ui

@@ -62,6 +62,24 @@ void paintBadge(QPainter& painter, QPointF at, const VehicleMark& mark, const Ca
   painter.restore();
 }
 
+// Over the body, as the doubt is mostly smaller than it; white or black there, the vehicle's colour around it.
+void paintDoubt(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark) {
+  const Ellipse95 ellipse = ellipseOf(mark.vehicle->covariance, view.scale());
+  if (!(ellipse.longAxis > 2.0 && ellipse.longAxis < kLargestEllipse)) return;
+  QColor fill = theme.onRoute;
+  fill.setAlpha(50);
+  painter.save();
+  painter.translate(view.toPixel(mark.pose.position));
+  painter.rotate(-ellipse.degrees);
+  painter.setBrush(fill);
+  painter.setPen(QPen{theme.onRoute, 2.6});
+  painter.drawEllipse(QPointF{}, ellipse.longAxis, ellipse.shortAxis);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen{bodyColour(mark, theme), 1.2});
+  painter.drawEllipse(QPointF{}, ellipse.longAxis, ellipse.shortAxis);
+  painter.restore();
+}
+
 }  // namespace
 
 QPolygonF footprintOf(const VehicleMark& mark, const View& view, const Pose& at) {
@@ -111,24 +129,9 @@ void paintTrail(QPainter& painter, const View& view, const Trail& trail, Seconds
   }
 }
 
-void paintUnderVehicle(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark,
-                       const CanvasLayers& layers) {
+void paintGhost(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark) {
   const supervisor::VehicleView& v = *mark.vehicle;
   const QColor colour = bodyColour(mark, theme);
-  if (layers.uncertainty) {
-    const Ellipse95 ellipse = ellipseOf(v.covariance, view.scale());
-    if (ellipse.longAxis > 1.5 && ellipse.longAxis < kLargestEllipse) {
-      QColor fill = colour;
-      fill.setAlpha(38);
-      painter.save();
-      painter.translate(view.toPixel(mark.pose.position));
-      painter.rotate(-ellipse.degrees);
-      painter.setPen(QPen{colour, 1.0});
-      painter.setBrush(fill);
-      painter.drawEllipse(QPointF{}, ellipse.longAxis, ellipse.shortAxis);
-      painter.restore();
-    }
-  }
   if (mark.look != VehicleLook::Silent && v.task == supervisor::Task::Running &&
       view.pixels(distance(v.predicted.position, v.pose.position)) > 3.0) {
     QColor ghost = colour;
@@ -139,7 +142,8 @@ void paintUnderVehicle(QPainter& painter, const View& view, const CanvasTheme& t
   }
 }
 
-void paintVehicle(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark) {
+void paintVehicle(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark,
+                  const CanvasLayers& layers) {
   const QPolygonF shape = footprintOf(mark, view, mark.pose);
   const QColor colour = bodyColour(mark, theme);
   if (mark.chosen) {
@@ -149,7 +153,7 @@ void paintVehicle(QPainter& painter, const View& view, const CanvasTheme& theme,
     painter.drawPolygon(shape);
   }
   QColor fill = colour;
-  fill.setAlpha(mark.look == VehicleLook::Silent ? 110 : 225);
+  fill.setAlpha(mark.look == VehicleLook::Silent ? 120 : 245);
   painter.setPen(QPen{theme.halo, 3.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin});
   painter.setBrush(fill);
   painter.drawPolygon(shape);
@@ -159,6 +163,7 @@ void paintVehicle(QPainter& painter, const View& view, const CanvasTheme& theme,
   painter.setBrush(Qt::NoBrush);
   painter.drawPolygon(shape);
 
+  if (layers.uncertainty) paintDoubt(painter, view, theme, mark);
   // A chevron at the nose says where forward is.
   const QPointF at = view.toPixel(mark.pose.position);
   const QPointF nose{cos(mark.pose.heading), -sin(mark.pose.heading)};

@@ -27,10 +27,10 @@ struct VehicleMark {
 [[nodiscard]] QRectF extentOf(const VehicleMark& mark, const View& view, const QFont& font, const CanvasLayers& layers);
 
 void paintTrail(QPainter& painter, const View& view, const Trail& trail, Seconds now, QColor colour);
-/// What lies under the vehicles' bodies: doubt, the place where a command will take effect.
-void paintUnderVehicle(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark,
-                       const CanvasLayers& layers);
-void paintVehicle(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark);
+/// Where a command that is sent now will find it.
+void paintGhost(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark);
+void paintVehicle(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark,
+                  const CanvasLayers& layers);
 void paintVehicleLabel(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark);
 /// age: 0 just read, 1 about to vanish.
 void paintFlash(QPainter& painter, const View& view, Point place, QColor colour, double age);

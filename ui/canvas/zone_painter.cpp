@@ -1,7 +1,7 @@
 // Zones: colour and pattern say the kind, a name stands in the corner.
 #include <QFontMetricsF>
 #include <QPainter>
-#include <QPainterPath>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/canvas/clip.h"
@@ -11,33 +11,51 @@
 namespace tessera::ui {
 namespace {
 
-constexpr double kHatchPixels = 11.0;
+constexpr double kHatchPixels = 14.0;
 constexpr double kArrowPixels = 56.0;
 
-// Lines at 45 degrees, tied to the site's origin so that they move with the floor.
-void paintHatch(QPainter& painter, const View& view, const QRectF& area, double spacing, bool crossed) {
-  const QPointF origin = view.toPixel({});
-  const auto hatch = [&](double lean) {
-    const double anchor = origin.x() - lean * origin.y();
-    const double low = area.left() - std::max(lean * area.top(), lean * area.bottom());
-    const double high = area.right() - std::min(lean * area.top(), lean * area.bottom());
-    for (double n = std::ceil((low - anchor) / spacing); n <= (high - anchor) / spacing; n += 1.0) {
-      const double at = anchor + n * spacing;
-      painter.drawLine(QLineF{at + lean * area.top(), area.top(), at + lean * area.bottom(), area.bottom()});
+// Lines at 45 degrees, tied to the site's origin so that they move with the floor; cut by hand, as a painter that
+// clips to a polygon is many times slower.
+void paintHatch(QPainter& painter, const View& view, const QPolygonF& shape, double lean) {
+  const auto acrossAt = [lean](QPointF p) { return p.x() - lean * p.y(); };
+  const double anchor = acrossAt(view.toPixel({}));
+  double low = acrossAt(shape.first());
+  double high = low;
+  for (const QPointF& p : shape) {
+    low = std::min(low, acrossAt(p));
+    high = std::max(high, acrossAt(p));
+  }
+  std::vector<QPointF> cuts;
+  QVector<QLineF> lines;
+  for (double n = std::ceil((low - anchor) / kHatchPixels); n <= (high - anchor) / kHatchPixels; n += 1.0) {
+    const double line = anchor + n * kHatchPixels;
+    cuts.clear();
+    QPointF from = shape.last();
+    for (const QPointF& to : shape) {
+      const double a = acrossAt(from) - line;
+      const double b = acrossAt(to) - line;
+      if ((a < 0.0) != (b < 0.0)) cuts.push_back(from + (to - from) * (a / (a - b)));
+      from = to;
     }
-  };
-  hatch(-1.0);
-  if (crossed) hatch(1.0);
+    std::sort(cuts.begin(), cuts.end(), [](QPointF a, QPointF b) { return a.y() < b.y(); });
+    for (std::size_t k = 0; k + 1 < cuts.size(); k += 2) lines.push_back({cuts[k], cuts[k + 1]});
+  }
+  painter.drawLines(lines);
 }
 
 // Small arrows on a lattice tied to the site, along the direction of a one-way zone.
-void paintDirection(QPainter& painter, const View& view, const QRectF& area, Radians direction) {
+void paintDirection(QPainter& painter, const View& view, const QPolygonF& shape, Radians direction) {
   const QPointF origin = view.toPixel({});
+  const QRectF area = shape.boundingRect();
   const double step = kArrowPixels;
   for (double row = std::floor((area.top() - origin.y()) / step); row * step + origin.y() < area.bottom(); row += 1.0) {
     for (double c = std::floor((area.left() - origin.x()) / step); c * step + origin.x() < area.right(); c += 1.0) {
+      const QPointF at = origin + QPointF{(c + 0.5) * step, (row + 0.5) * step};
+      const QPointF reach{11.0 * cos(direction), -11.0 * sin(direction)};
+      if (!shape.containsPoint(at + reach, Qt::OddEvenFill) || !shape.containsPoint(at - reach, Qt::OddEvenFill))
+        continue;
       painter.save();
-      painter.translate(origin + QPointF{(c + 0.5) * step, (row + 0.5) * step});
+      painter.translate(at);
       painter.rotate(-degrees(direction));
       painter.drawPolyline(QPolygonF{{-9, 0}, {9, 0}});
       painter.drawPolyline(QPolygonF{{4, -4}, {9, 0}, {4, 4}});
@@ -48,19 +66,12 @@ void paintDirection(QPainter& painter, const View& view, const QRectF& area, Rad
 
 void paintPattern(QPainter& painter, const View& view, const floor::Zone& zone, const QPolygonF& shape, QColor colour) {
   using floor::ZoneKind;
-  const bool hatched = zone.kind == ZoneKind::NoGo || zone.kind == ZoneKind::Slow;
-  const bool arrows = zone.kind == ZoneKind::OneWay && zone.direction;
-  if (!hatched && !arrows) return;
-  QPainterPath path;
-  path.addPolygon(shape);
-  painter.save();
-  painter.setClipPath(path, Qt::IntersectClip);
-  colour.setAlpha(zone.kind == ZoneKind::Slow ? 60 : 110);
+  colour.setAlpha(zone.kind == ZoneKind::OneWay ? 110 : 65);
   painter.setPen(QPen{colour, 1.2});
-  const QRectF area = shape.boundingRect();
-  if (hatched) paintHatch(painter, view, area, kHatchPixels, zone.kind == ZoneKind::NoGo);
-  if (arrows) paintDirection(painter, view, area, *zone.direction);
-  painter.restore();
+  painter.setBrush(Qt::NoBrush);
+  if (zone.kind == ZoneKind::NoGo || zone.kind == ZoneKind::Slow) paintHatch(painter, view, shape, -1.0);
+  if (zone.kind == ZoneKind::NoGo) paintHatch(painter, view, shape, 1.0);
+  if (zone.kind == ZoneKind::OneWay && zone.direction) paintDirection(painter, view, shape, *zone.direction);
 }
 
 void paintName(QPainter& painter, const View& view, const floor::Zone& zone, QColor colour, QColor halo) {

@@ -197,7 +197,10 @@ bool RouteTool::mouseReleased(const ToolMouse& mouse, const CanvasScene& /*scene
 bool RouteTool::mouseDoubleClicked(const ToolMouse& mouse, const CanvasScene& scene) {
   if (mouse.button != Qt::LeftButton) return false;
   if (!drawing_) return hitAt(mouse.pixel, scene).kind != Hit::Kind::None;
-  finish();  // the first click has set the vertex
+  // The first of the two clicks has set the vertex here; a hand that trembled in between shall not set another.
+  const bool here = !draft_.empty() && pixelsBetween(scene.view.toPixel(draft_.back()), mouse.pixel) <= kVertexReach;
+  if (!here) addVertex(snapAt(mouse, scene).place);
+  finish();
   return true;
 }
 

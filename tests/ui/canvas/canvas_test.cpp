@@ -1,0 +1,218 @@
+// The canvas under a real mouse and real keys.
+#include <gtest/gtest.h>
+
+#include <QPainter>
+#include <QSignalSpy>
+#include <QTest>
+#include <QWheelEvent>
+
+#include "canvas_site.h"
+#include "ui/canvas/floor_canvas.h"
+
+namespace tessera::ui {
+namespace {
+
+class CanvasUnderTest : public testing::Test {
+protected:
+  void SetUp() override {
+    canvas.resize(900, 600);
+    canvas.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&canvas));
+    canvas.setMap(tiledMap(5, 4));
+  }
+  [[nodiscard]] QPoint pixel(double x, double y) const {
+    return canvas.view().toPixel({Metres{x}, Metres{y}}).toPoint();
+  }
+  void wheel(QPoint at, int turn) {
+    QWheelEvent event{at,   canvas.mapToGlobal(at), {}, {0, turn}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                      false};
+    QApplication::sendEvent(&canvas, &event);
+  }
+  void drag(Qt::MouseButton button, QPoint from, QPoint to) {
+    QTest::mousePress(&canvas, button, {}, from);
+    QTest::mouseMove(&canvas, from + (to - from) / 2);
+    QTest::mouseMove(&canvas, to);
+    QTest::mouseRelease(&canvas, button, {}, to);
+  }
+
+  FloorCanvas canvas;
+};
+
+TEST_F(CanvasUnderTest, ShowsTheWholeFloorAtFirstAndStillAfterAResize) {
+  const SiteBox floor = FloorIndex{tiledSite(5, 4)}.box();
+  for (const QSize size : {QSize{900, 600}, QSize{500, 700}}) {
+    canvas.resize(size);
+    EXPECT_TRUE(QRectF(canvas.rect()).contains(canvas.view().toPixel(floor.low)));
+    EXPECT_TRUE(QRectF(canvas.rect()).contains(canvas.view().toPixel(floor.high)));
+  }
+}
+
+TEST_F(CanvasUnderTest, ZoomsAboutTheCursorByTheWheel) {
+  const QPoint cursor = pixel(1.0, 1.0);
+  const double before = canvas.view().scale();
+  QSignalSpy scaled{&canvas, &FloorCanvas::scaleChanged};
+  wheel(cursor, 120);
+  EXPECT_GT(canvas.view().scale(), before * 1.1);
+  EXPECT_LT((pixel(1.0, 1.0) - cursor).manhattanLength(), 3);
+  wheel(cursor, -120);
+  EXPECT_NEAR(canvas.view().scale(), before, 1e-6);
+  EXPECT_EQ(scaled.count(), 2);
+}
+
+TEST_F(CanvasUnderTest, PansByMiddleButtonBySpaceAndByIdleLeftButton) {
+  canvas.zoomIn();
+  canvas.zoomIn();
+  const auto moves = [&](auto gesture) {
+    const QPoint before = pixel(1.0, 1.0);
+    gesture();
+    return pixel(1.0, 1.0) - before;
+  };
+  EXPECT_EQ(moves([&] { drag(Qt::MiddleButton, {400, 300}, {440, 270}); }), (QPoint{40, -30}));
+  EXPECT_EQ(moves([&] { drag(Qt::LeftButton, {400, 300}, {380, 330}); }), (QPoint{-20, 30}));
+  QTest::keyPress(&canvas, Qt::Key_Space);
+  EXPECT_EQ(moves([&] { drag(Qt::LeftButton, {400, 300}, {410, 330}); }), (QPoint{10, 30}));
+  QTest::keyRelease(&canvas, Qt::Key_Space);
+}
+
+TEST_F(CanvasUnderTest, PansZoomsAndFitsByKeys) {
+  const double fitted = canvas.view().scale();
+  QTest::keyClick(&canvas, Qt::Key_Plus);
+  EXPECT_GT(canvas.view().scale(), fitted);
+  QTest::keyClick(&canvas, Qt::Key_Minus);
+  EXPECT_NEAR(canvas.view().scale(), fitted, 1e-9);
+  const int before = pixel(1.0, 1.0).x();
+  QTest::keyClick(&canvas, Qt::Key_Right);
+  EXPECT_LT(pixel(1.0, 1.0).x(), before);
+  QTest::keyClick(&canvas, Qt::Key_0);
+  EXPECT_EQ(pixel(1.0, 1.0).x(), before);
+}
+
+TEST_F(CanvasUnderTest, TellsTheSitePlaceUnderTheCursor) {
+  QSignalSpy pointed{&canvas, &FloorCanvas::pointed};
+  QTest::mouseMove(&canvas, pixel(1.5, 0.9));
+  ASSERT_FALSE(pointed.isEmpty());
+  const auto place = pointed.last().at(0).value<std::optional<Point>>();
+  ASSERT_TRUE(place);
+  EXPECT_NEAR(place->x.value(), 1.5, 0.01);
+  EXPECT_NEAR(place->y.value(), 0.9, 0.01);
+  QEvent leave{QEvent::Leave};
+  QApplication::sendEvent(&canvas, &leave);
+  EXPECT_FALSE(pointed.last().at(0).value<std::optional<Point>>());
+}
+
+TEST_F(CanvasUnderTest, PicksVehiclesBeforeRoutesBeforeTheFloor) {
+  canvas.setSnapshot(snapshotOf(1.0, {vehicleAt(2, 1.0, 0.5)}));
+  QSignalSpy vehicles{&canvas, &FloorCanvas::vehiclePicked};
+  QSignalSpy routes{&canvas, &FloorCanvas::routePicked};
+  QSignalSpy floors{&canvas, &FloorCanvas::floorPicked};
+  QTest::mouseClick(&canvas, Qt::LeftButton, {}, pixel(1.0, 0.5));
+  ASSERT_EQ(vehicles.count(), 1);
+  EXPECT_EQ(vehicles[0][0].value<VehicleId>(), VehicleId{2});
+  QTest::mouseClick(&canvas, Qt::LeftButton, {}, pixel(1.0, 1.4) + QPoint{0, 3});
+  ASSERT_EQ(routes.count(), 1);
+  EXPECT_EQ(routes[0][0].toString(), "two");
+  QTest::mouseClick(&canvas, Qt::LeftButton, {}, pixel(2.6, 2.2));
+  EXPECT_EQ(floors.count(), 1);
+  EXPECT_EQ(vehicles.count() + routes.count(), 2);
+}
+
+TEST_F(CanvasUnderTest, FollowsAVehicleByDoubleClickUntilSomebodyPans) {
+  auto v = vehicleAt(1, 0.5, 0.5);
+  canvas.setSnapshot(snapshotOf(1.0, {v}));
+  for (int n = 0; n < 4; ++n) canvas.zoomIn();
+  canvas.centreOn({Metres{0.5}, Metres{0.5}});
+  QTest::mouseDClick(&canvas, Qt::LeftButton, {}, pixel(0.5, 0.5));
+  EXPECT_EQ(canvas.followed(), VehicleId{1});
+  v.pose.position.x = Metres{2.5};
+  canvas.setSnapshot(snapshotOf(1.1, {v}));
+  EXPECT_TRUE(canvas.rect().adjusted(200, 140, -200, -140).contains(pixel(2.5, 0.5)));
+  drag(Qt::MiddleButton, {400, 300}, {430, 300});
+  EXPECT_FALSE(canvas.followed());
+}
+
+TEST_F(CanvasUnderTest, KeepsTheViewWhenOnlyRoutesChangeAndFitsAnotherFloor) {
+  canvas.zoomIn();
+  canvas.centreOn({Metres{0.7}, Metres{0.8}});
+  const View before = canvas.view();
+  floor::Site site = tiledSite(5, 4);
+  site.routes.pop_back();
+  canvas.setMap(floor::SiteMap::build(site).value());
+  EXPECT_TRUE(canvas.view() == before);
+  canvas.setMap(tiledMap(40, 40));
+  EXPECT_LT(canvas.view().scale(), before.scale());
+  EXPECT_TRUE(QRectF(canvas.rect()).contains(canvas.view().toPixel({Metres{24}, Metres{24}})));
+}
+
+TEST_F(CanvasUnderTest, DrawsFramesOnlyWhileSomethingMoves) {
+  canvas.setSnapshot(snapshotOf(1.0, {vehicleAt(1, 1, 1)}));
+  EXPECT_FALSE(canvas.isAnimating());
+  auto v = vehicleAt(1, 1, 1);
+  v.speed = MetresPerSecond{0.3};
+  canvas.setSnapshot(snapshotOf(1.1, {v}));
+  EXPECT_TRUE(canvas.isAnimating());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !canvas.isAnimating(); }));
+  canvas.setSnapshot(snapshotOf(1.2, {v}));
+  canvas.hide();
+  EXPECT_FALSE(canvas.isAnimating());
+}
+
+TEST_F(CanvasUnderTest, ShowsAVehicleInItsPlaceAndTakesItAwayAgain) {
+  const QColor floor = canvas.grab().toImage().pixelColor(pixel(1.35, 1.05));
+  auto v = vehicleAt(1, 1.3, 1.05);
+  v.covariance = {};
+  canvas.setSnapshot(snapshotOf(1.0, {v}));
+  EXPECT_NE(canvas.grab().toImage().pixelColor(pixel(1.35, 1.05)), floor);
+  canvas.setSnapshot(nullptr);
+  EXPECT_EQ(canvas.grab().toImage().pixelColor(pixel(1.35, 1.05)), floor);
+}
+
+TEST_F(CanvasUnderTest, LeavesOutWhatIsSwitchedOff) {
+  const QPoint onRoute = pixel(0.9, 1.4);
+  const QColor route = canvas.grab().toImage().pixelColor(onRoute);
+  CanvasLayers layers;
+  layers.routes = false;
+  layers.tags = false;
+  canvas.setLayers(layers);
+  EXPECT_NE(canvas.grab().toImage().pixelColor(onRoute), route);
+  QSignalSpy routes{&canvas, &FloorCanvas::routePicked};
+  QTest::mouseClick(&canvas, Qt::LeftButton, {}, onRoute);
+  EXPECT_EQ(routes.count(), 0);
+}
+
+TEST_F(CanvasUnderTest, TurnsDarkWithThePalette) {
+  const auto corner = [&] { return canvas.grab().toImage().pixelColor(890, 300).lightness(); };
+  EXPECT_GT(corner(), 128);
+  QPalette dark;
+  dark.setColor(QPalette::Window, QColor{30, 30, 30});
+  dark.setColor(QPalette::Text, Qt::white);
+  canvas.setPalette(dark);
+  EXPECT_LT(corner(), 128);
+}
+
+TEST_F(CanvasUnderTest, BearsStrangeSitesAndSnapshots) {
+  floor::Site site = tiledSite(2, 2);
+  site.routes.push_back({"far", {{Metres{-1e5}, Metres{-1e5}}, {Metres{1e5}, Metres{1e5}}}, Metres{0.01}});
+  site.routes.push_back({"point", {{}, {}}, Metres{0.2}});
+  site.zones.push_back(
+      {"huge", floor::ZoneKind::NoGo, {{Metres{-1e5}, {}}, {Metres{1e5}, {}}, {{}, Metres{1e5}}}, {}, {}});
+  canvas.setMap(floor::SiteMap::build(site).value());
+  canvas.setSelectedRoute("far");
+  auto v = vehicleAt(9, 1e5, -1e5);  // not in the site
+  const double nan = std::nan("");
+  v.covariance = {nan, nan, nan, nan, nan, nan, nan, nan, nan};
+  v.obstacle = Metres{1e4};
+  auto w = vehicleAt(1, nan, nan);
+  canvas.setSnapshot(snapshotOf(1.0, {v, w}));
+  for (int n = 0; n < 40; ++n) {
+    canvas.zoomIn();
+    canvas.grab();
+  }
+  for (int n = 0; n < 80; ++n) canvas.zoomOut();
+  EXPECT_FALSE(canvas.grab().isNull());
+  canvas.setSnapshot(nullptr);
+  canvas.setMap(nullptr);
+  EXPECT_FALSE(canvas.grab().isNull());
+}
+
+}  // namespace
+}  // namespace tessera::ui
