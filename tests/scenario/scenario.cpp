@@ -16,7 +16,10 @@ Scenario::Scenario(ScenarioSetup setup) : setup_{std::move(setup)} {
   floor::Site site = expectValue(floor::loadSite(std::string{TESSERA_SITES} + "/" + setup_.site));
   if (setup_.world.airRate) site.radio.airRate = *setup_.world.airRate;
   setup_.world.seed = setup_.seed;
-  supervisor::Config config{setup_.locator, setup_.controller, {}, setup_.seed};
+  supervisor::Config config;
+  config.locator = setup_.locator;
+  config.controller = setup_.controller;
+  config.seed = setup_.seed;
   for (const auto& a : setup_.assignments) {
     config.vehicles.push_back(a.vehicle);
     setup_.world.vehicles.push_back(a.vehicle.value);
