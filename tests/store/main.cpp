@@ -1,0 +1,10 @@
+// Qt's event loop needs an application object around all tests.
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+
+int main(int argc, char** argv) {
+  ::testing::InitGoogleTest(&argc, argv);
+  const QCoreApplication application{argc, argv};
+  return RUN_ALL_TESTS();
+}
