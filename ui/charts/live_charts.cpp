@@ -34,7 +34,7 @@ LiveCharts::LiveCharts(FleetLink& link, Selection& selection, SiteDocument& docu
   });
   connect(&selection_, &Selection::vehicleChanged, this, &LiveCharts::takeVehicle);
   connect(&document_, &SiteDocument::changed, this, [this] {
-    routeName_.clear();  // its vertices may be others
+    shownRoute_.reset();  // its vertices may be others
     takeVehicle();
   });
   connect(&document_, &SiteDocument::replaced, this, [this] { samples_.clear(); });
@@ -143,12 +143,11 @@ void LiveCharts::showRoute() {
   const auto snapshot = link_.latest();
   const auto* view = snapshot && selection_.vehicle() ? snapshot->find(*selection_.vehicle()) : nullptr;
   const std::string wanted = view != nullptr && !view->route.empty() ? view->route : selection_.route().toStdString();
-  if (!routeName_.isNull() && routeName_.toStdString() == wanted) return;
+  if (shownRoute_ == wanted) return;
+  shownRoute_ = wanted;
   const floor::Route* route = document_.map()->route(wanted);
-  routeName_ = QString::fromStdString(wanted);
-  if (routeName_.isNull()) routeName_ = QLatin1String("");  // none, and looked for
-  track_->setRoute(route == nullptr ? QString{} : routeName_,
-                   route == nullptr ? std::vector<Point>{} : route->vertices);
+  if (route == nullptr) return track_->setRoute({}, {});
+  track_->setRoute(QString::fromStdString(route->name), route->vertices);
 }
 
 void LiveCharts::hold(bool still) {
@@ -190,8 +189,7 @@ void LiveCharts::dress() {
 void LiveCharts::retranslate() {
   for (int i = 0; i < window_->count(); ++i) {
     const int seconds = window_->itemData(i).toInt();
-    window_->setItemText(
-        i, seconds < 60 ? tr("%n second(s)", nullptr, seconds) : tr("%n minute(s)", nullptr, seconds / 60));
+    window_->setItemText(i, seconds < 60 ? tr("%1 s").arg(seconds) : tr("%1 min").arg(seconds / 60));
   }
   window_->setToolTip(tr("How far back the charts reach."));
   window_->setAccessibleName(tr("Time shown"));
@@ -224,7 +222,12 @@ void LiveCharts::showEvent(QShowEvent* event) {
 
 void LiveCharts::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  charts_->setOrientation(width() > height() ? Qt::Horizontal : Qt::Vertical);
+  const Qt::Orientation wanted = width() > height() ? Qt::Horizontal : Qt::Vertical;
+  if (arranged_ && charts_->orientation() == wanted) return;
+  arranged_ = true;
+  charts_->setOrientation(wanted);
+  const int all = wanted == Qt::Horizontal ? width() : height();
+  charts_->setSizes({all * 9 / 20, all * 11 / 20});
 }
 
 }  // namespace tessera::ui

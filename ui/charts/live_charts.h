@@ -8,6 +8,9 @@
 #include <QStackedLayout>
 #include <QToolButton>
 #include <QWidget>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "ui/base/fleet_link.h"
 #include "ui/base/selection.h"
@@ -58,7 +61,8 @@ private:
   DriveSamples samples_;
   double until_ = 0.0;  ///< right end of what is shown, s
   bool still_ = false;
-  QString routeName_;  ///< of the route on show
+  bool arranged_ = false;
+  std::optional<std::string> shownRoute_;  ///< name; none yet: to be looked up
   QLabel* dot_ = nullptr;
   QLabel* name_ = nullptr;
   QComboBox* window_ = nullptr;

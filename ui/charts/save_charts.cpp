@@ -40,6 +40,7 @@ QString LiveCharts::writePicture(const QString& file) {
   const int trackWidth = static_cast<int>(kPrintWidth * kTrackShare);
   const int timeWidth = kPrintWidth - trackWidth;
   dressCharts(printPalette());
+  track_->layOutFor({trackWidth, kPrintHeight});
   bool written = false;
   if (QFileInfo{file}.suffix().compare(QLatin1String("pdf"), Qt::CaseInsensitive) == 0) {
     QPdfWriter pdf{file};
@@ -67,6 +68,7 @@ QString LiveCharts::writePicture(const QString& file) {
     written = picture.save(file, "PNG");
   }
   dressCharts(palette());
+  track_->layOutFor(track_->size());
   draw();
   return written ? QString{} : failed;
 }

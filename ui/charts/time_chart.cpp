@@ -20,12 +20,27 @@ TimeChart::TimeChart(QWidget* parent)
       error_{new QCPAxisRect{this}},
       pace_{new QCPAxisRect{this}},
       paceLegend_{new QCPLegend},
+      errorTitle_{new QCPTextElement{this}},
+      paceTitle_{new QCPTextElement{this}},
       ticker_{new AgoTicker} {
   setObjectName(QStringLiteral("timeChart"));
   setNoAntialiasingOnDrag(true);
   plotLayout()->clear();
-  plotLayout()->addElement(0, 0, error_);
-  plotLayout()->addElement(1, 0, pace_);
+  // Titles lie above the axes: beside them they would be cut off where the panel is low.
+  auto* heading = new QCPLayoutGrid;
+  plotLayout()->addElement(0, 0, errorTitle_);
+  plotLayout()->addElement(1, 0, error_);
+  plotLayout()->addElement(2, 0, heading);
+  plotLayout()->addElement(3, 0, pace_);
+  plotLayout()->setRowSpacing(0);
+  heading->addElement(0, 0, paceTitle_);
+  heading->addElement(0, 1, paceLegend_);
+  heading->setColumnStretchFactor(1, 0.001);
+  for (const int row : {0, 2}) plotLayout()->setRowStretchFactor(row, 0.001);
+  for (QCPTextElement* title : {errorTitle_, paceTitle_}) {
+    title->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
+    title->setMargins(QMargins{6, 2, 2, 2});
+  }
   auto* margins = new QCPMarginGroup{this};
   for (QCPAxisRect* axes : {error_, pace_}) {
     axes->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
@@ -48,8 +63,6 @@ TimeChart::TimeChart(QWidget* parent)
   commanded_ = addGraph(below, pace_->axis(QCPAxis::atLeft));
   reported_ = addGraph(below, pace_->axis(QCPAxis::atLeft));
   commanded_->setLineStyle(QCPGraph::lsStepLeft);
-  pace_->insetLayout()->addElement(paceLegend_, Qt::AlignLeft | Qt::AlignTop);
-  pace_->insetLayout()->setMargins(QMargins{6, 4, 6, 4});
   paceLegend_->setLayer(QStringLiteral("legend"));
   layFlat(*paceLegend_);
   commanded_->addToLegend(paceLegend_);
@@ -116,7 +129,7 @@ void TimeChart::setSamples(const std::vector<DriveSample>& samples, double until
     if (!std::isnan(s.crossTrack)) widest = std::max(widest, 1.15 * std::abs(errors.back()));
     for (const double speed : {ordered.back(), driven.back()}) {
       if (std::isnan(speed)) continue;
-      fastest = std::max(fastest, 1.35 * speed);  // room for the legend
+      fastest = std::max(fastest, 1.15 * speed);
       slowest = std::min(slowest, 1.15 * speed);
     }
   }
@@ -145,6 +158,10 @@ void TimeChart::dress(const QPalette& palette, const QFont& plotFont, const QCol
   dressAxes(*error_, colours, plotFont);
   dressAxes(*pace_, colours, plotFont);
   dressLegend(*paceLegend_, colours, plotFont);
+  for (QCPTextElement* title : {errorTitle_, paceTitle_}) {
+    title->setFont(plotFont);
+    title->setTextColor(colours.ink);
+  }
   crossTrack_->setPen(QPen{vehicle, 1.6});
   commanded_->setPen(QPen{colours.commanded, 1.4, Qt::DashLine});
   reported_->setPen(QPen{vehicle, 1.6});
@@ -158,8 +175,8 @@ void TimeChart::dress(const QPalette& palette, const QFont& plotFont, const QCol
 
 void TimeChart::retranslate() {
   setAccessibleName(tr("Cross-track error and speed"));
-  error_->axis(QCPAxis::atLeft)->setLabel(tr("Cross-track error (cm)"));
-  pace_->axis(QCPAxis::atLeft)->setLabel(tr("Speed (m/s)"));
+  errorTitle_->setText(tr("Cross-track error (cm)"));
+  paceTitle_->setText(tr("Speed (m/s)"));
   pace_->axis(QCPAxis::atBottom)
       ->setLabel(ticker_->minutes() ? tr("Time (min), 0 is the newest") : tr("Time (s), 0 is the newest"));
   commanded_->setName(tr("Commanded"));

@@ -36,6 +36,8 @@ private:
   QCPGraph* commanded_;
   QCPGraph* reported_;
   QCPLegend* paceLegend_;
+  QCPTextElement* errorTitle_;
+  QCPTextElement* paceTitle_;
   QCPItemRect* band_ = nullptr;
   QCPItemText* bandName_ = nullptr;
   QCPItemLine* errorHair_ = nullptr;

@@ -37,6 +37,8 @@ TrackChart::TrackChart(QWidget* parent)
   auto* above = new QCPLayoutGrid;
   plotLayout()->addElement(0, 0, above);
   above->addElement(0, 0, legend);
+  above->addElement(0, 1, new QCPLayoutElement);  // takes what the legend does not need
+  above->setColumnStretchFactor(0, 0.001);
   plotLayout()->setRowStretchFactor(0, 0.001);
   legend->setVisible(true);
   layFlat(*legend);
@@ -96,9 +98,18 @@ void TrackChart::fitToScale() {
   if (byHand_) return yAxis->setScaleRatio(xAxis, 1.0);
   const QSize room = axisRect()->size();
   if (room.width() <= 0 || room.height() <= 0) return;
+  const QCPRange before = xAxis->range();
   const double scale = std::max(wantedX_.size() / room.width(), wantedY_.size() / room.height());
   xAxis->setRange(wantedX_.center() - scale * room.width() / 2, wantedX_.center() + scale * room.width() / 2);
   yAxis->setRange(wantedY_.center() - scale * room.height() / 2, wantedY_.center() + scale * room.height() / 2);
+  // The ticks of this drawing were chosen before; with quite another range they are drawn once more.
+  if (std::abs(before.size() - xAxis->range().size()) > 0.01 * before.size()) replot(QCustomPlot::rpQueuedReplot);
+}
+
+void TrackChart::layOutFor(const QSize& size) {
+  setViewport(QRect{QPoint{}, size});
+  for (int i = 0; i < 2; ++i)
+    replot(QCustomPlot::rpImmediateRefresh);  // the second with the ticks of the first's range
 }
 
 void TrackChart::setByHand(bool byHand) {

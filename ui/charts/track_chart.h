@@ -18,6 +18,8 @@ public:
   void retranslate();
   /// By hand: dragged and zoomed with the mouse, and not moved by new data.
   void setByHand(bool byHand);
+  /// To scale in another size than the widget's, for a picture of it.
+  void layOutFor(const QSize& size);
 
 private:
   void fitToScale();

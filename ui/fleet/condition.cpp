@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/fleet/sentences.h"
+#include "ui/base/wording.h"
 
 namespace tessera::ui {
 namespace {
@@ -18,7 +18,7 @@ Condition whileConnected(const supervisor::VehicleView& v) {
   if (v.state == wire::VehicleState::Faulted) return Condition::Faulted;
   if (v.task == Task::Jogging) return Condition::ByHand;
   if (v.task == Task::Paused) return Condition::Paused;
-  if (v.task == Task::Running) return said(v.waits).isEmpty() ? Condition::Running : Condition::Waiting;
+  if (v.task == Task::Running) return v.waits.empty() ? Condition::Running : Condition::Waiting;
   if (v.state == wire::VehicleState::Calibrating) return Condition::Calibrating;
   if (v.state == wire::VehicleState::Obstacle) return Condition::Obstacle;
   if (v.task == Task::Stopped) return Condition::Stopped;
@@ -170,41 +170,19 @@ Tone toneOf(Condition condition) {
   return Tone::Plain;
 }
 
-QStringList faultWords(std::uint16_t faults) {
-  using W = ConditionWords;
-  QStringList all;
-  const auto add = [&](wire::Fault bit, const QString& name) {
-    if ((faults & bit) != 0) all.append(name);
-  };
-  add(wire::kFaultMotorStall, W::tr("a wheel is blocked"));
-  add(wire::kFaultEncoder, W::tr("a wheel turns against its drive"));
-  add(wire::kFaultCompass, W::tr("the compass does not answer"));
-  add(wire::kFaultCompassRange, W::tr("the compass is disturbed"));
-  add(wire::kFaultReader, W::tr("a reader does not answer"));
-  add(wire::kFaultBattery, W::tr("the battery is low"));
-  add(wire::kFaultEeprom, W::tr("its settings cannot be read or written"));
-  add(wire::kFaultWatchdog, W::tr("it was restarted by its watchdog"));
-  add(wire::kFaultRadio, W::tr("its radio did not take its parameters"));
-  add(wire::kFaultForged, W::tr("it refused a forged command"));
-  add(wire::kFaultReplayed, W::tr("it refused a repeated command"));
-  add(wire::kFaultEventsLost, W::tr("tag reads were lost"));
-  add(wire::kFaultRanger, W::tr("a distance sensor gives no distances"));
-  return all;
-}
-
 QString situation(const supervisor::Snapshot* snapshot, const supervisor::VehicleView* vehicle, const QString& name) {
   using W = ConditionWords;
   const Condition condition = conditionOf(snapshot, vehicle);
   if (condition == Condition::NoPort) {
-    const QString port = snapshot == nullptr ? QString{} : said(snapshot->port.sentence);
+    const QString port = snapshot == nullptr ? QString{} : text(snapshot->port.sentence);
     return port.isEmpty() ? W::tr("There is no connection to the vehicles. Connect first.") : port;
   }
   if (condition == Condition::Faulted)
     return W::tr("%1 is held by a fault: %2. Remove the cause, then clear the fault.")
-        .arg(name, faultWords(vehicle->faults).join(W::tr(", ", "between faults")));
-  if (const QString waits = said(vehicle->waits); !waits.isEmpty()) return waits;
+        .arg(name, faultTexts(vehicle->faults).join(W::tr(", ", "between faults")));
+  if (!vehicle->waits.empty()) return text(vehicle->waits);
   if (const QString next = nextStep(condition, *vehicle, name); !next.isEmpty()) return next;
-  const QString doing = said(vehicle->doing);
+  const QString doing = text(vehicle->doing);
   return doing.isEmpty() ? W::tr("%1 drives along the route %2.").arg(name, QString::fromStdString(vehicle->route))
                          : doing;
 }

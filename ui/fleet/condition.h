@@ -2,8 +2,6 @@
 #pragma once
 
 #include <QString>
-#include <QStringList>
-#include <cstdint>
 
 #include "supervisor/snapshot.h"
 #include "ui/fleet/tone.h"
@@ -34,9 +32,6 @@ enum class Condition {
 [[nodiscard]] QString words(Condition condition);
 [[nodiscard]] QString iconName(Condition condition);
 [[nodiscard]] Tone toneOf(Condition condition);
-
-/// One entry for each bit that means something to an operator: "motor stalled", "battery low", ...
-[[nodiscard]] QStringList faultWords(std::uint16_t faults);
 
 /// What the operator should know or do now, one or two sentences: why it waits, what it does, or what comes next.
 [[nodiscard]] QString situation(const supervisor::Snapshot* snapshot, const supervisor::VehicleView* vehicle,

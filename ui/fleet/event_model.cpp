@@ -78,7 +78,7 @@ QString EventModel::shown(const Line& line, int column) const {
     case Who:
       return nameOf(line.vehicle);
     case What:
-      if (const auto* live = std::get_if<EventSentence>(&line.sentence)) return said(*live);
+      if (const auto* live = std::get_if<Sentence>(&line.sentence)) return text(*live);
       return std::get<QString>(line.sentence);
     default:
       return {};

@@ -13,8 +13,8 @@
 
 #include "supervisor/event.h"
 #include "ui/base/site_document.h"
+#include "ui/base/wording.h"
 #include "ui/fleet/roles.h"
-#include "ui/fleet/sentences.h"
 
 namespace tessera::ui {
 
@@ -23,7 +23,7 @@ struct JournalLine {
   QDateTime when;
   supervisor::Severity severity = supervisor::Severity::Info;
   std::optional<VehicleId> vehicle;
-  QString sentence;
+  std::variant<QString, Sentence> sentence;  ///< as it was shown, or so that it can be shown in any language
 };
 
 class EventModel : public QAbstractTableModel {
@@ -51,7 +51,7 @@ private:
     QDateTime when;
     supervisor::Severity severity = supervisor::Severity::Info;
     std::optional<VehicleId> vehicle;
-    std::variant<QString, EventSentence> sentence;  ///< live ones follow the language
+    std::variant<QString, Sentence> sentence;  ///< live ones follow the language
   };
 
   void trim(std::size_t coming);

@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "ui/base/icon.h"
-#include "ui/fleet/condition.h"
-#include "ui/fleet/sentences.h"
+#include "ui/base/wording.h"
 
 namespace tessera::ui {
 namespace {
@@ -84,7 +83,7 @@ void RunPanel::followRoute() {
 void RunPanel::takeVehicle() {
   const floor::VehicleSetup* vehicle = setup();
   smoothSpeed_ = 0.0;
-  notice_->hide();
+  notice_->clear();
   pages_->setCurrentIndex(vehicle == nullptr ? 1 : 0);
   if (vehicle != nullptr) {
     const double most = std::max(kSpeedStep, std::floor(vehicle->maxSpeed.value() * 100.0 + 1e-6) / 100.0);
@@ -151,15 +150,15 @@ void RunPanel::showActions(const OrderCase& c) {
 void RunPanel::takeEvents(const std::vector<supervisor::Event>& events) {
   for (const auto& event : events) {
     if (event.kind != supervisor::EventKind::OrderRefused || event.vehicle != selection_.vehicle()) continue;
-    notice_->setText(said(event.sentence));
-    notice_->setVisible(!notice_->text().isEmpty());
+    notice_->show(Notice::Tone::Warning, text(event.sentence));
   }
 }
 
 void RunPanel::post(const supervisor::Order& order) {
   const bool taken = link_.post(order);
-  notice_->setText(taken ? QString{} : tr("The order was not taken: there is no connection to the vehicles."));
-  notice_->setVisible(!taken);
+  notice_->clear();
+  if (!taken)
+    notice_->show(Notice::Tone::Error, tr("The order was not taken: there is no connection to the vehicles."));
   refresh();
 }
 

@@ -11,9 +11,11 @@
 #include <QToolButton>
 
 #include "ui/base/fleet_link.h"
+#include "ui/base/notice.h"
 #include "ui/base/selection.h"
 #include "ui/base/site_document.h"
 #include "ui/base/throttle.h"
+#include "ui/fleet/condition.h"
 #include "ui/fleet/hint.h"
 #include "ui/fleet/order_rules.h"
 
@@ -53,6 +55,7 @@ private:
   void followRoute();
   void refresh();
   void showState(const supervisor::Snapshot* snapshot, const supervisor::VehicleView* view);
+  void dress();
   void showProgress(const supervisor::VehicleView* view);
   void showActions(const OrderCase& c);
   void setUp(QAction* action, const QString& does, const QString& whyNot);
@@ -87,11 +90,12 @@ private:
   QToolButton* drawRoute_ = nullptr;
   QLabel* speedLabel_ = nullptr;
   QDoubleSpinBox* speed_ = nullptr;
-  QLabel* notice_ = nullptr;
+  Notice* notice_ = nullptr;
   Throttle throttle_;
-  QHash<int, double> speeds_;    ///< m/s, by vehicle: what was set last
-  QHash<int, Ordered> ordered_;  ///< by vehicle: what this panel ordered last
-  double smoothSpeed_ = 0.0;     ///< m/s, for the time that is left
+  QHash<int, double> speeds_;       ///< m/s, by vehicle: what was set last
+  QHash<int, Ordered> ordered_;     ///< by vehicle: what this panel ordered last
+  double smoothSpeed_ = 0.0;        ///< m/s, for the time that is left
+  std::optional<Condition> shown_;  ///< the state that icon and colour tell now
   bool filling_ = false;
 };
 

@@ -6,7 +6,6 @@
 
 #include "ui/base/icon.h"
 #include "ui/base/vehicle_colour.h"
-#include "ui/fleet/condition.h"
 #include "ui/fleet/run_panel.h"
 
 namespace tessera::ui {
@@ -130,8 +129,8 @@ QWidget* RunPanel::buildVehicle() {
   orders->addWidget(actionButton(run_, QStringLiteral("runButton"), page));
   orders->addWidget(actionButton(pause_, QStringLiteral("pauseButton"), page));
   orders->addWidget(actionButton(stop_, QStringLiteral("stopButton"), page));
-  notice_ = wrappingLabel(QStringLiteral("runNotice"), page);
-  notice_->hide();
+  notice_ = new Notice{page};
+  notice_->setObjectName(QStringLiteral("runNotice"));
 
   auto* column = new QVBoxLayout{page};
   column->addLayout(head);
@@ -148,7 +147,10 @@ QWidget* RunPanel::buildVehicle() {
 
 void RunPanel::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange || event->type() == QEvent::LocaleChange) retranslate();
-  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) refresh();
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
+    dress();
+    refresh();
+  }
   QWidget::changeEvent(event);
 }
 
@@ -173,29 +175,37 @@ void RunPanel::retranslate() {
   run_->setText(tr("&Run"));
   stop_->setText(tr("S&top"));
   clear_->setText(tr("&Clear faults"));
+  dress();
   refresh();
 }
 
-void RunPanel::showState(const supervisor::Snapshot* snapshot, const supervisor::VehicleView* view) {
-  const Condition condition = conditionOf(snapshot, view);
-  const QColor colour = toneColour(toneOf(condition), palette());
+// What the state decides is drawn when it comes to another state.
+void RunPanel::dress() {
+  shown_.reset();
+  if (setup() == nullptr) return;
   const int side = fontMetrics().height() * 5 / 4;
-  const QSize size{side, side};
   const qreal ratio = devicePixelRatioF();
-  dot_->setPixmap(dotIcon(vehicleColour(document_.site(), setup()->id, palette()), side, ratio).pixmap(size, ratio));
+  const QColor colour = vehicleColour(document_.site(), setup()->id, palette());
+  dot_->setPixmap(dotIcon(colour, side, ratio).pixmap(QSize{side, side}, ratio));
   name_->setText(name());
   name_->setFont(larger(font(), 1.25));
-  stateIcon_->setPixmap(tintedIcon(iconName(condition), colour, side, ratio).pixmap(size, ratio));
-  state_->setText(words(condition));
   state_->setFont(larger(font(), 1.1));
+}
+
+void RunPanel::showState(const supervisor::Snapshot* snapshot, const supervisor::VehicleView* view) {
+  const QString now = situation(snapshot, view, name());
+  if (sentence_->text() != now) sentence_->setText(now);
+  const Condition condition = conditionOf(snapshot, view);
+  if (shown_ == condition) return;
+  shown_ = condition;
+  const QColor colour = toneColour(toneOf(condition), palette());
+  const int side = fontMetrics().height() * 5 / 4;
+  const qreal ratio = devicePixelRatioF();
+  stateIcon_->setPixmap(tintedIcon(iconName(condition), colour, side, ratio).pixmap(QSize{side, side}, ratio));
+  state_->setText(words(condition));
   QPalette ink = palette();
   ink.setColor(QPalette::WindowText, colour);
   state_->setPalette(ink);
-  QPalette bad = palette();
-  bad.setColor(QPalette::WindowText, toneColour(Tone::Bad, palette()));
-  notice_->setPalette(bad);
-  const QString now = situation(snapshot, view, name());
-  if (sentence_->text() != now) sentence_->setText(now);
 }
 
 }  // namespace tessera::ui

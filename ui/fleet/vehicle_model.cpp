@@ -130,9 +130,6 @@ QVariant VehicleModel::data(const QModelIndex& index, int role) const {
       return shown(row, column);
     case Qt::ToolTipRole:
       return tip(row, column);
-    case Qt::TextAlignmentRole:
-      return column == Speed || column == Age ? QVariant{Qt::AlignRight | Qt::AlignVCenter}
-                                              : QVariant{Qt::AlignLeft | Qt::AlignVCenter};
     case SortRole:
       return sortKey(row, column);
     case VehicleRole:

@@ -130,9 +130,6 @@ QString VehicleModel::tip(const Row& row, int column) const {
 
 QVariant VehicleModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
-  if (role == Qt::TextAlignmentRole)
-    return section == Speed || section == Age ? QVariant{Qt::AlignRight | Qt::AlignVCenter}
-                                              : QVariant{Qt::AlignLeft | Qt::AlignVCenter};
   if (role != Qt::DisplayRole) return {};
   switch (section) {
     case Name:
