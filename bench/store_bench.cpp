@@ -1,0 +1,150 @@
+// What keeping costs: sites of some sizes, saved anew, with one route changed, and loaded; the journal, with the log
+// (WAL) and with a rollback journal. The figures of docs/decisions/0008-storage.md come from here.
+#include <benchmark/benchmark.h>
+
+#include <QCoreApplication>
+#include <QTemporaryDir>
+#include <cstdlib>
+#include <filesystem>
+
+#include "store/journal.h"
+#include "store/site_store.h"
+
+namespace {
+
+using namespace tessera;
+
+// Tiles of eight tags in rows, as on the publication's floor.
+floor::Site siteOf(std::size_t tags) {
+  floor::Site site;
+  site.name = "bench";
+  site.tileTypes.push_back({"60x60",
+                            Metres{0.6},
+                            Metres{0.6},
+                            Metres{0.15},
+                            {Metres{0.075}, Metres{0.075}},
+                            4,
+                            4,
+                            floor::Pattern::OneInTwo,
+                            false,
+                            {}});
+  for (std::size_t i = 0; i < tags / 8; ++i) {
+    floor::Tile tile{"T-" + std::to_string(i), "60x60", {}};
+    for (std::size_t n = 0; n < 8; ++n) {
+      std::array<std::uint8_t, 7> bytes{};
+      std::uint64_t number = (8 * i + n) * 0x9E3779B97F4A7C15ULL;
+      for (auto& b : bytes) {
+        b = static_cast<std::uint8_t>(number >> 56);
+        number <<= 8;
+      }
+      tile.uids.push_back(*floor::TagUid::fromBytes(bytes));
+    }
+    site.tiles.push_back(std::move(tile));
+    site.placements.push_back({site.tiles.back().serial,
+                               {Metres{0.6 * static_cast<double>(i % 300)}, Metres{0.6 * static_cast<double>(i / 300)}},
+                               0});
+  }
+  site.routes.push_back({"route", {{}, {Metres{1}, Metres{1}}}, Metres{0.2}});
+  return site;
+}
+
+// On the disk that holds the temporary files; TMPDIR chooses another.
+struct Place {
+  QTemporaryDir folder;
+  std::unique_ptr<store::Database> database;
+  explicit Place(bool log) {
+    auto opened = store::Database::open(file(), {.writeAheadLog = log});
+    if (!opened) std::abort();
+    database = std::move(*opened);
+  }
+  [[nodiscard]] std::filesystem::path file() const { return (folder.path() + "/bench.db").toStdString(); }
+};
+
+void must(const Result<void>& result) {
+  if (!result) std::abort();
+}
+
+void saveNewSite(benchmark::State& state) {
+  const floor::Site site = siteOf(static_cast<std::size_t>(state.range(0)));
+  Place place{state.range(1) != 0};
+  int key = 0;
+  for (auto _ : state) must(store::SiteStore{*place.database}.save(std::to_string(key++), site, 1, true));
+  state.counters["MB"] = static_cast<double>(std::filesystem::file_size(place.file())) / 1e6 / key;
+}
+BENCHMARK(saveNewSite)
+    ->ArgsProduct({{2'500, 40'000, 1'000'000}, {1, 0}})
+    ->ArgNames({"tags", "log"})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+void saveOneRouteChanged(benchmark::State& state) {
+  floor::Site site = siteOf(static_cast<std::size_t>(state.range(0)));
+  Place place{state.range(1) != 0};
+  double x = 0.0;
+  must(store::SiteStore{*place.database}.save("k", site, 1, true));
+  for (auto _ : state) {
+    site.routes[0].vertices[1].x = Metres{x += 1.0};
+    must(store::SiteStore{*place.database}.save("k", site, 1, true));
+  }
+}
+BENCHMARK(saveOneRouteChanged)
+    ->ArgsProduct({{2'500, 40'000, 1'000'000}, {1, 0}})
+    ->ArgNames({"tags", "log"})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+void loadSite(benchmark::State& state) {
+  Place place{true};
+  must(store::SiteStore{*place.database}.save("k", siteOf(static_cast<std::size_t>(state.range(0))), 1, true));
+  for (auto _ : state) benchmark::DoNotOptimize(store::SiteStore{*place.database}.load("k").value());
+}
+BENCHMARK(loadSite)->Arg(2'500)->Arg(40'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+// Opening checks the pages of the whole file.
+void openFile(benchmark::State& state) {
+  Place place{true};
+  must(store::SiteStore{*place.database}.save("k", siteOf(static_cast<std::size_t>(state.range(0))), 1, true));
+  place.database.reset();
+  for (auto _ : state) benchmark::DoNotOptimize(store::Database::open(place.file()).value());
+}
+BENCHMARK(openFile)->Arg(2'500)->Arg(1'000'000)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+std::vector<store::Note> notesOf(std::size_t count) {
+  std::vector<store::Note> notes(count);
+  for (store::Note& note : notes) {
+    note.site = "bench";
+    note.event.sentence = "Vehicle 3 (cart) drives along the route \"paper\" at 0.12 m/s.";
+  }
+  return notes;
+}
+
+void appendToJournal(benchmark::State& state) {
+  Place place{state.range(1) != 0};
+  const auto notes = notesOf(static_cast<std::size_t>(state.range(0)));
+  for (auto _ : state) must(store::Journal{*place.database}.append(notes));
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+BENCHMARK(appendToJournal)
+    ->ArgsProduct({{1, 100, 10'000}, {1, 0}})
+    ->ArgNames({"notes", "log"})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+// The worst question to a journal of a million lines: a text that nowhere stands.
+void searchJournal(benchmark::State& state) {
+  Place place{true};
+  for (int i = 0; i < 20; ++i) must(store::Journal{*place.database}.append(notesOf(50'000)));
+  store::JournalFilter filter;
+  filter.text = state.range(0) != 0 ? "nowhere" : "";
+  for (auto _ : state) benchmark::DoNotOptimize(store::Journal{*place.database}.query(filter).value());
+}
+BENCHMARK(searchJournal)->Arg(0)->Arg(1)->ArgName("text")->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const QCoreApplication application{argc, argv};
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
