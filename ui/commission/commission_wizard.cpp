@@ -2,7 +2,8 @@
 
 #include <QEvent>
 #include <QMessageBox>
-#include <memory>
+#include <QPushButton>
+#include <algorithm>
 
 #include "ui/commission/compass_page.h"
 #include "ui/commission/contact_page.h"
@@ -53,6 +54,8 @@ CommissionWizard::CommissionWizard(FleetLink& link, SiteDocument& document, std:
   steps_.setMargin(fontMetrics().height() / 2);
   setSideWidget(&steps_);
   retranslate();
+  const int line = fontMetrics().height();
+  setMinimumSize(line * 54, line * 36);
 }
 
 // The vehicle goes into the site before the first page that speaks to it.
@@ -126,6 +129,13 @@ void CommissionWizard::showSteps() {
                 .arg(fontMetrics().averageCharWidth() * 3)
                 .arg(mark, id == currentId() ? QStringLiteral("<b>%1</b>").arg(name) : name);
   }
+  // As wide as its widest line in bold, so that nothing moves from page to page.
+  QFont bold = font();
+  bold.setBold(true);
+  int widest = 0;
+  for (int id = 0; id < kPages; ++id)
+    widest = std::max(widest, QFontMetrics{bold}.horizontalAdvance(shortName(static_cast<Page>(id))));
+  steps_.setMinimumWidth(widest + fontMetrics().averageCharWidth() * 6 + 2 * steps_.margin());
   steps_.setText(QStringLiteral("<table cellpadding='2'>%1</table>").arg(rows));
 }
 

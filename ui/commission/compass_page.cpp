@@ -76,8 +76,7 @@ void CompassPage::calibrate() {
   turned_ = false;
   sinceStart_.start();
   result_.show(Notice::Tone::Info, tr("The vehicle turns on the spot…"));
-  series_.start(work().address(),
-                {{wire::MessageType::Do, static_cast<std::uint8_t>(wire::Action::CalibrateCompass)}});
+  series_.start(work().address(), {{wire::MessageType::Do, static_cast<std::uint8_t>(wire::Action::CalibrateCompass)}});
   showButtons();
 }
 

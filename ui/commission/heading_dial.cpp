@@ -51,7 +51,9 @@ void HeadingDial::paintEvent(QPaintEvent* /*event*/) {
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor{0xdc, 0x35, 0x45});
   painter.drawPolygon(QPolygonF{{{0, -tip}, {0.45 * em, 0}, {-0.45 * em, 0}}});
-  painter.setBrush(palette().color(QPalette::Mid));
+  QColor tail = ink;
+  tail.setAlphaF(0.4F);
+  painter.setBrush(tail);
   painter.drawPolygon(QPolygonF{{{0, tip * 0.7}, {0.45 * em, 0}, {-0.45 * em, 0}}});
 }
 

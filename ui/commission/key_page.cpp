@@ -5,14 +5,16 @@
 #include <QFontDatabase>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QHideEvent>
 
 #include "ui/base/icon.h"
 #include "ui/commission/vehicle_draft.h"
+#include "wire/pairing.h"
 
 namespace tessera::ui {
 
 KeyPage::KeyPage(Commissioning& work, QWidget* parent)
-    : StepPage{work, Commissioning::Step::Key, Needs::Vehicle, parent} {
+    : StepPage{work, Commissioning::Step::Key, Needs::Vehicle, parent}, pairing_{work} {
   pairKind_.setObjectName(QStringLiteral("pairKind"));
   knownKind_.setObjectName(QStringLiteral("knownKind"));
   pair_.setObjectName(QStringLiteral("pairVehicle"));
@@ -58,6 +60,19 @@ KeyPage::KeyPage(Commissioning& work, QWidget* parent)
   content().addStretch();
 
   connect(&pairKind_, &QRadioButton::toggled, this, &KeyPage::showKind);
+  connect(&pair_, &QPushButton::clicked, this, &KeyPage::pair);
+  connect(&pairing_, &Pairing::progressed, this,
+          [this](const QString& sentence) { result_.show(Notice::Tone::Info, sentence); });
+  connect(&pairing_, &Pairing::keyTaken, this, &KeyPage::paired);
+  connect(&pairing_, &Pairing::failed, this, [this](const QString& sentence) {
+    result_.show(Notice::Tone::Error, sentence);
+    showKind();
+  });
+  connect(&pairing_, &Pairing::done, this, [this] {
+    result_.show(Notice::Tone::Good, tr("The vehicle has its key; nobody else knows it. Waiting for contact…"));
+    showKey();
+    showKind();
+  });
   connect(&use_, &QPushButton::clicked, this, &KeyPage::useTypedKey);
   connect(&typed_, &QLineEdit::textEdited, &result_, &Notice::clear);
   connect(&reveal_, &QPushButton::toggled, this,
@@ -74,8 +89,30 @@ void KeyPage::initializePage() {
   StepPage::initializePage();
 }
 
+void KeyPage::pair() {
+  if (pairing_.isRunning()) {
+    const QString doubt = pairing_.doubt();
+    pairing_.cancel();
+    result_.show(doubt.isEmpty() ? Notice::Tone::Info : Notice::Tone::Warning,
+                 doubt.isEmpty() ? tr("Pairing was given up.") : doubt);
+  } else {
+    pairing_.start();
+  }
+  showKind();
+}
+
+void KeyPage::hideEvent(QHideEvent* event) {
+  // The window may be minimised meanwhile; another page means that pairing was given up.
+  if (!event->spontaneous() && pairing_.isRunning()) pair();
+  StepPage::hideEvent(event);
+}
+
 void KeyPage::showKind() {
-  pair_.setEnabled(pairKind_.isChecked());
+  const bool busy = pairing_.isRunning();
+  pair_.setText(busy ? tr("Give up pairi&ng") : tr("Pair &now"));
+  pairKind_.setEnabled(!busy);
+  knownKind_.setEnabled(!busy);
+  pair_.setEnabled(pairKind_.isChecked() && (busy || work().supervised()));
   typed_.setEnabled(knownKind_.isChecked());
   use_.setEnabled(knownKind_.isChecked());
 }
@@ -102,7 +139,13 @@ void KeyPage::useTypedKey() {
 }
 
 void KeyPage::refresh(const supervisor::VehicleView* vehicle) {
-  if (vehicle == nullptr) return;
+  showKind();
+  if (vehicle == nullptr || pairing_.isRunning() || vehicle->id != work().draft().id) return;
+  if (work().draft().key == wire::kFactoryKey) {
+    result_.show(Notice::Tone::Warning,
+                 tr("The vehicle still has the factory's key, which everybody knows. Pair it now."));
+    return;
+  }
   result_.show(Notice::Tone::Good, tr("Vehicle and site share this key."));
   markDone();
 }
@@ -112,8 +155,10 @@ void KeyPage::retranslate() {
   setSubTitle(tr("Vehicle and site share a secret key; a vehicle obeys nobody without it."));
   why_.setText(tr("The key stands in the site's file: keep that as you would a password."));
   pairKind_.setText(tr("&Pair: give the vehicle a new random key over the air"));
-  pairHint_.setText(tr("For a vehicle that nobody has set up yet."));
-  pair_.setText(tr("Pair &now"));
+  pairHint_.setText(
+      tr("A vehicle fresh from the factory (address 254, a key that everybody knows) also takes its address. Switch on "
+         "only this one. Who listens to the radio during pairing could learn the key: pair where you are alone."));
+  showKind();
   knownKind_.setText(tr("The vehicle has a &key that I know"));
   typed_.setPlaceholderText(tr("32 hexadecimal digits"));
   typed_.setAccessibleName(tr("The vehicle's key"));

@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QRadioButton>
 
+#include "ui/commission/pairing.h"
 #include "ui/commission/step_page.h"
 
 namespace tessera::ui {
@@ -23,12 +24,15 @@ Q_SIGNALS:
 protected:
   void retranslate() override;
   void refresh(const supervisor::VehicleView* vehicle) override;
+  void hideEvent(QHideEvent* event) override;
 
 private:
+  void pair();
   void useTypedKey();
   void showKind();
   void showKey();
 
+  Pairing pairing_;
   QLabel why_;
   QRadioButton pairKind_;
   QLabel pairHint_;

@@ -22,7 +22,8 @@ ReaderTable::ReaderTable(QWidget* parent) : QWidget{parent} {
   table_.setSelectionBehavior(QAbstractItemView::SelectRows);
   table_.setSelectionMode(QAbstractItemView::SingleSelection);
   table_.horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  table_.setMinimumHeight(fontMetrics().height() * 7);
+  table_.verticalHeader()->setDefaultSectionSize(fontMetrics().height() * 3 / 2);
+  table_.setMinimumHeight(fontMetrics().height() * 9);
   table_.setTabKeyNavigation(false);
   setFocusProxy(&table_);
   add_.setObjectName(QStringLiteral("addReader"));

@@ -65,6 +65,7 @@ void SettingsPage::initializePage() {
 }
 
 void SettingsPage::hideEvent(QHideEvent* event) {
+  if (series_.isRunning()) askedOnce_ = false;
   series_.stop();
   StepPage::hideEvent(event);
 }

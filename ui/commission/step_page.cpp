@@ -28,6 +28,7 @@ StepPage::StepPage(Commissioning& work, Commissioning::Step step, Needs needs, Q
   connect(&work_, &Commissioning::markChanged, this, [this] {
     const QSignalBlocker quiet{&skip_};
     skip_.setChecked(work_.mark(step_) == Commissioning::Mark::Skipped);
+    skip_.setEnabled(work_.mark(step_) != Commissioning::Mark::Done);
     Q_EMIT completeChanged();
   });
   if (needs_ == Needs::Vehicle) connect(&work_, &Commissioning::seen, this, &StepPage::look);
@@ -52,7 +53,12 @@ void StepPage::look() {
   const QString why = work_.silence();
   if (why != silence_.text()) silence_.show(Notice::Tone::Warning, why);
   connect_.setVisible(!why.isEmpty() && !work_.supervised());
-  if (wizard() != nullptr && wizard()->currentPage() == this) refresh(why.isEmpty() ? work_.view() : nullptr);
+  if (isVisible()) refresh(why.isEmpty() ? work_.view() : nullptr);
+}
+
+void StepPage::showEvent(QShowEvent* event) {
+  QWizardPage::showEvent(event);
+  look();
 }
 
 void StepPage::retranslate() {

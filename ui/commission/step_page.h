@@ -27,11 +27,10 @@ Q_SIGNALS:
 
 protected:
   void changeEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
   /// The part between the notice and the check box.
   [[nodiscard]] QVBoxLayout& content() { return content_; }
   [[nodiscard]] Commissioning& work() const { return work_; }
-  /// The page is the one that is looked at.
-  [[nodiscard]] bool isOpen() const { return isVisible(); }
   void markDone(bool done = true);
 
   /// Texts; call the base's too.

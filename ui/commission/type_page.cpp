@@ -47,11 +47,11 @@ void TypePage::layOut() {
     grid->addWidget(&field->label, row, 0);
     grid->addWidget(&field->box, row++, 1);
   }
-  grid->addWidget(&readersLabel_, row++, 0, 1, 2);
-  grid->addWidget(&readers_, row++, 0, 1, 2);
   grid->setRowStretch(row, 1);
   auto* right = new QVBoxLayout;
   right->addWidget(&preview_, 1);
+  right->addWidget(&readersLabel_);
+  right->addWidget(&readers_);
   auto* row2 = new QHBoxLayout;
   row2->addLayout(grid);
   row2->addSpacing(fontMetrics().height());

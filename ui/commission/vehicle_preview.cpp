@@ -38,7 +38,7 @@ void VehiclePreview::paintEvent(QPaintEvent* /*event*/) {
   for (const Offset& o : vehicle_.readers) include(o.x.value(), o.y.value(), r);
   include(0, vehicle_.track.value() / 2, 0.02);
   include(0, -vehicle_.track.value() / 2, 0.02);
-  const double margin = fontMetrics().height() * 1.2;
+  const double margin = fontMetrics().height() * 0.8;
   const double scale = std::min((width() - 2 * margin) / bounds.width(), (height() - 2 * margin) / bounds.height());
   if (!(scale > 0)) return;
   painter.translate(width() / 2.0, height() / 2.0);

@@ -5,6 +5,8 @@
 #include <QStyle>
 #include <QVBoxLayout>
 
+#include "ui/connect/fit_height.h"
+
 namespace tessera::ui {
 namespace {
 
@@ -61,6 +63,7 @@ ConnectDialog::ConnectDialog(QWidget* parent) : QDialog{parent} {
   serialKind_.setChecked(true);
   retranslate();
   setMinimumWidth(fontMetrics().height() * 34);
+  new FitHeight{*this};
 }
 
 void ConnectDialog::setChoice(const ConnectionChoice& choice) {

@@ -5,6 +5,7 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 
+#include "ui/connect/fit_height.h"
 #include "ui/connect/radio_rows.h"
 
 namespace tessera::ui {
@@ -45,6 +46,8 @@ RadioDialog::RadioDialog(RadioBench& bench, const floor::RadioSetup& site, QWidg
   connect(&buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   end();
   retranslate();
+  setMinimumWidth(fontMetrics().height() * 40);
+  new FitHeight{*this};
 }
 
 void RadioDialog::layOut() {

@@ -11,9 +11,9 @@
 #include <optional>
 
 #include "floor/site.h"
+#include "ui/base/notice.h"
 #include "ui/base/radio_bench.h"
 #include "ui/connect/jumper_picture.h"
-#include "ui/base/notice.h"
 
 namespace tessera::ui {
 

@@ -48,7 +48,9 @@ std::vector<RadioRow> RadioRows::compare(const std::optional<link::E32Parameters
   const auto power = [](const link::E32Parameters& p) { return powerText(p.power); };
   const auto format = [](const link::E32Parameters& p) {
     using Parity = link::E32Parameters::Parity;
-    return p.parity == Parity::None ? QStringLiteral("8N1") : p.parity == Parity::Odd ? QStringLiteral("8O1") : QStringLiteral("8E1");
+    return p.parity == Parity::None  ? QStringLiteral("8N1")
+           : p.parity == Parity::Odd ? QStringLiteral("8O1")
+                                     : QStringLiteral("8E1");
   };
   const auto outputs = [](const link::E32Parameters& p) { return p.pushPull ? tr("push-pull") : tr("open collector"); };
 
