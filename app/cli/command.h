@@ -12,6 +12,7 @@ using Run = std::function<int()>;
 void addExperiment(CLI::App& app, Run& run);
 void addDrive(CLI::App& app, Run& run);
 void addPorts(CLI::App& app, Run& run);
+void addRadio(CLI::App& app, Run& run);
 void addSite(CLI::App& app, Run& run);
 
 }  // namespace tessera::cli

@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
   addExperiment(app, run);
   addDrive(app, run);
   addPorts(app, run);
+  addRadio(app, run);
   addSite(app, run);
   for (CLI::App* sub : app.get_subcommands({})) sub->footer(kExitCodeHelp);
   try {

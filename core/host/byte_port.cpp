@@ -51,13 +51,13 @@ bool BytePort::write(std::span<const std::uint8_t> bytes) {
   if (!open_) return false;
   const auto size = static_cast<qint64>(bytes.size());
   if (backlog() + size > kMaxBacklog) {
-    fail(QStringLiteral("the other end does not read"));
+    fail(phrase("Core", "the other end does not read"));
     return false;
   }
   return send(reinterpret_cast<const char*>(bytes.data()), size) && open_;
 }
 
-void BytePort::fail(const QString& reason) {
+void BytePort::fail(const Sentence& reason) {
   open_ = false;
   steady_.stop();
   drop();

@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <span>
 
+#include "base/sentence.h"
+
 namespace tessera::host {
 
 /// How long to wait before a port is opened again; doubles from the first to the longest.
@@ -41,7 +43,7 @@ public:
 Q_SIGNALS:
   void opened(const QString& name);
   /// Once until it is opened again; reason: the end of a sentence, "there is no such device".
-  void lost(const QString& reason);
+  void lost(const tessera::Sentence& reason);
   void received(const QByteArray& bytes);
 
 protected:
@@ -57,7 +59,7 @@ protected:
   void nowOpen();
   void hear(const QByteArray& bytes);
   /// It could not be opened, or is lost: drops it, tells so once and tries again after a pause.
-  void fail(const QString& reason);
+  void fail(const Sentence& reason);
 
 private:
   void tryOpen();

@@ -3,20 +3,20 @@
 namespace tessera::host {
 namespace {
 
-QString reasonOf(QSerialPort::SerialPortError error, const QString& text) {
+Sentence reasonOf(QSerialPort::SerialPortError error, const QString& text) {
   switch (error) {
     case QSerialPort::DeviceNotFoundError:
-      return QStringLiteral("there is no such device");
+      return phrase("Core", "there is no such device");
     case QSerialPort::PermissionError:
-      return QStringLiteral("it is in use by another program, or you may not open it");
+      return phrase("Core", "it is in use by another program, or you may not open it");
     case QSerialPort::OpenError:
-      return QStringLiteral("it is open already");
+      return phrase("Core", "it is open already");
     case QSerialPort::ReadError:
     case QSerialPort::WriteError:
     case QSerialPort::ResourceError:
-      return QStringLiteral("the device or the other end is gone");
+      return phrase("Core", "the device or the other end is gone");
     default:
-      return text;
+      return Sentence{text.toStdString()};
   }
 }
 

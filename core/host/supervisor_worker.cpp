@@ -18,8 +18,8 @@ SupervisorWorker::SupervisorWorker(supervisor::Supervisor supervisor, std::share
     turn();
   });
   // Not turn(): it may be a write of the turn itself that lost the port.
-  connect(port_.get(), &BytePort::lost, this, [this](const QString& reason) {
-    pump_.supervisor().portLost(reason.toStdString(), steadyNow());
+  connect(port_.get(), &BytePort::lost, this, [this](const Sentence& reason) {
+    pump_.supervisor().portLost(reason, steadyNow());
     timer_.start(0);
   });
   connect(port_.get(), &BytePort::received, this, [this](const QByteArray& bytes) {

@@ -13,21 +13,22 @@
 namespace tessera::host {
 namespace {
 
-QString reasonOf(QAbstractSocket::SocketError error, const QString& text) {
+Sentence reasonOf(QAbstractSocket::SocketError error, const QString& text) {
   switch (error) {
     case QAbstractSocket::ConnectionRefusedError:
-      return QStringLiteral(
+      return phrase(
+          "Core",
           "the device server refuses the connection: its port number may be another one, or somebody else holds it");
     case QAbstractSocket::HostNotFoundError:
-      return QStringLiteral("there is no host of this name in the network");
+      return phrase("Core", "there is no host of this name in the network");
     case QAbstractSocket::RemoteHostClosedError:
-      return QStringLiteral("the device server has closed the connection");
+      return phrase("Core", "the device server has closed the connection");
     case QAbstractSocket::SocketTimeoutError:
-      return QStringLiteral("the device server does not answer: check its power, its address and the network");
+      return phrase("Core", "the device server does not answer: check its power, its address and the network");
     case QAbstractSocket::NetworkError:
-      return QStringLiteral("the network does not reach the device server: check the cable and the address");
+      return phrase("Core", "the network does not reach the device server: check the cable and the address");
     default:
-      return text;
+      return Sentence{text.toStdString()};
   }
 }
 

@@ -18,16 +18,16 @@ class SerialPortTest : public ::testing::Test {
 protected:
   SerialPortTest() : radio{{}}, port{QString::fromStdString(radio.name()), 115200, {20ms, 50ms}} {
     QObject::connect(&port, &SerialPort::opened, [this] { ++opened; });
-    QObject::connect(&port, &SerialPort::lost, [this](const QString& why) {
+    QObject::connect(&port, &SerialPort::lost, [this](const Sentence& why) {
       ++lost;
-      reason = why;
+      reason = why.english();
     });
   }
   test::PtyRadio radio;
   SerialPort port;
   int opened = 0;
   int lost = 0;
-  QString reason;
+  std::string reason;
 };
 
 TEST_F(SerialPortTest, opensAPty) {
@@ -62,7 +62,7 @@ TEST_F(SerialPortTest, countsAsLostWhenNobodyReads) {
   }
   EXPECT_LT(taken, 1000) << "the backlog is bounded";
   EXPECT_EQ(lost, 1);
-  EXPECT_EQ(reason.toStdString(), "the other end does not read");
+  EXPECT_EQ(reason, "the other end does not read");
 }
 
 TEST_F(SerialPortTest, writesNothingWhileClosed) {

@@ -23,9 +23,9 @@ protected:
   void make(const QString& host, quint16 number, std::chrono::milliseconds patience = 3000ms) {
     port = std::make_unique<TcpPort>(host, number, RetryPauses{20ms, 50ms}, nullptr, patience);
     QObject::connect(port.get(), &BytePort::opened, [this] { ++opened; });
-    QObject::connect(port.get(), &BytePort::lost, [this](const QString& why) {
+    QObject::connect(port.get(), &BytePort::lost, [this](const Sentence& why) {
       ++lost;
-      reason = why.toStdString();
+      reason = why.english();
     });
     QObject::connect(port.get(), &BytePort::received, [this](const QByteArray& bytes) { heard += bytes; });
     port->open();
