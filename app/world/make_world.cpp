@@ -123,6 +123,15 @@ private:
     return {};
   }
 
+  [[nodiscard]] bool isFresh(VehicleId id) const {
+    return std::find(options_.fresh.begin(), options_.fresh.end(), id.value) != options_.fresh.end();
+  }
+  [[nodiscard]] static Result<sim::EepromImage> emptyEeprom() {
+    sim::EepromImage image;
+    image.fill(0xFF);
+    return image;
+  }
+
   [[nodiscard]] std::string eepromPath(VehicleId id) const {
     const std::string& folder = options_.eepromDir.empty() ? made_.folder.path() : options_.eepromDir;
     return folder.empty() ? std::string{} : folder + "/vehicle-" + std::to_string(id.value) + ".eeprom";
@@ -143,7 +152,7 @@ private:
   Result<sim::EepromImage> image(const floor::VehicleSetup& setup, const sim::BodyParameters& body,
                                  const std::string& path) const {
     if (!path.empty() && fs::exists(path)) return readImage(path);
-    auto fresh = sim::commissionEeprom(setup, site_, body, options_.seed);
+    auto fresh = isFresh(setup.id) ? emptyEeprom() : sim::commissionEeprom(setup, site_, body, options_.seed);
     if (!fresh)
       return failure("Cannot set up vehicle " + std::to_string(setup.id.value) + ": " + fresh.error().sentence);
     if (!path.empty())

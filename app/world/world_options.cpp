@@ -87,6 +87,12 @@ void addWorldCast(CLI::App& app, WorldOptions& o) {
                  "Address of a vehicle to put there; may be repeated (default: all of the site)")
       ->allow_extra_args(false)
       ->check(CLI::Range{1U, 254U});
+  app.add_option(
+         "--fresh", o.fresh,
+         "Address of a vehicle that nobody has set up: its EEPROM is empty, it answers at the address 254 under "
+         "the factory key; may be repeated")
+      ->allow_extra_args(false)
+      ->check(CLI::Range{1U, 254U});
   app.add_option("--kind", o.kind, "native: firmware compiled for this machine; qemu: in an emulated LM3S6965")
       ->transform(CLI::CheckedTransformer{kKinds, CLI::ignore_case}.description("{native,qemu}"))
       ->default_str("native");
@@ -109,6 +115,7 @@ std::vector<std::string> worldArguments(const WorldOptions& o) {
     if (!value.empty()) add(name, value);
   };
   for (const unsigned id : o.vehicles) add("--vehicle", std::to_string(id));
+  for (const unsigned id : o.fresh) add("--fresh", std::to_string(id));
   add("--kind", o.kind == Kind::Qemu ? "qemu" : "native");
   path("--firmware", o.firmware);
   path("--eeprom-dir", o.eepromDir);

@@ -16,6 +16,7 @@ struct WorldOptions {
   // Who is there.
   std::string site;                ///< path of the *.tessera.json file
   std::vector<unsigned> vehicles;  ///< addresses; empty: all of the site
+  std::vector<unsigned> fresh;     ///< of these: as from the factory, with an empty EEPROM
   Kind kind = Kind::Native;
   std::string firmware;   ///< ELF for Kind::Qemu; empty: tessera-vehicle.elf beside the program
   std::string eepromDir;  ///< keeps vehicle-ID.eeprom; empty: nothing outlives the run

@@ -7,11 +7,8 @@ namespace tessera::link {
 namespace {
 
 constexpr Seconds kAnswerGuard{0.010};  // the vehicle's and our own sluggishness
-constexpr Seconds kWriteTime{0.060};    // a vehicle may write its EEPROM before it answers a request
 constexpr Seconds kStale{
     0.060};  // a pause this long inside a frame means that its rest is lost; a busy machine makes shorter ones
-constexpr std::size_t kMaxRequests = 32;
-constexpr unsigned kRequestTries = 3;
 
 }  // namespace
 
@@ -21,7 +18,7 @@ Channel::Channel(const ChannelConfig& config)
       nonces_{config.nonceSeed},
       silentAfter_{config.silentAfter} {
   peers_.reserve(config.vehicles.size());
-  for (const ChannelConfig::Vehicle& v : config.vehicles) peers_.emplace_back(v.id, v.key);
+  for (const ChannelConfig::Vehicle& v : config.vehicles) peers_.emplace_back(v.id, v.key, v.offered);
 }
 
 void Channel::opened(Seconds now) {
@@ -54,13 +51,6 @@ std::optional<std::size_t> Channel::indexOf(VehicleId vehicle) const {
 
 void Channel::wish(VehicleId vehicle, const Wish& wish) {
   if (const auto index = indexOf(vehicle)) peers_[*index].wishFor(wish);
-}
-
-bool Channel::request(VehicleId vehicle, const wire::Request& request) {
-  const auto index = indexOf(vehicle);
-  if (!index || requests_.size() >= kMaxRequests) return false;
-  requests_.push_back({*index, request, 0});
-  return true;
 }
 
 Seconds Channel::cyclePeriod() const {
@@ -111,12 +101,7 @@ void Channel::closeFlight() {
     peers_[flight.answers[i].peer].quality.unanswered();
     timing_.missed();
   }
-  if (flight.kind != Turn::Kind::Request || requests_.empty() || flight.answers[0].came) return;
-  Pending& pending = requests_.front();
-  const unsigned limit = pending.request.type == wire::MessageType::Do ? 1 : kRequestTries;
-  if (pending.tries < limit) return;
-  events_.emplace_back(Answered{peers_[pending.peer].session.vehicle(), pending.request, std::nullopt});
-  requests_.pop_front();
+  if (flight.kind == Turn::Kind::Request && !flight.answers[0].came) closeRequest();
 }
 
 void Channel::watchSilence(Seconds now) {
@@ -166,15 +151,6 @@ Channel::Output Channel::poll(Seconds now) {
   }
   out.events.swap(events_);
   return out;
-}
-
-void Channel::dropHopelessRequests() {
-  while (!requests_.empty() && !peers_[requests_.front().peer].connected() &&
-         !(flight_ && flight_->kind == Turn::Kind::Request)) {
-    const Pending& pending = requests_.front();
-    events_.emplace_back(Answered{peers_[pending.peer].session.vehicle(), pending.request, std::nullopt});
-    requests_.pop_front();
-  }
 }
 
 void Channel::departed(Turn::Kind kind, std::span<const std::size_t> peers, std::size_t bytes, Seconds slot,
@@ -236,15 +212,6 @@ std::size_t Channel::sendCycle(const Turn& turn, Seconds now, std::span<std::uin
     writer.add(entry, peer.session.key());
   }
   departed(turn.kind, chosen, writer.finish(out), Seconds{slot * wire::kSlotUnitMs / 1000.0}, now);
-  return size;
-}
-
-std::size_t Channel::sendRequest(Seconds now, std::span<std::uint8_t> out) {
-  Pending& pending = requests_.front();
-  ++pending.tries;
-  const std::size_t size = peers_[pending.peer].session.request(pending.request, ++counter_, out);
-  departed(Turn::Kind::Request, std::span{&pending.peer, 1}, size, Seconds{}, now);
-  flight_->answers[0].deadline += kWriteTime;
   return size;
 }
 

@@ -25,7 +25,8 @@ inline constexpr Seconds kNever{std::numeric_limits<double>::infinity()};
 struct ChannelConfig {
   struct Vehicle {
     VehicleId id;
-    wire::Key key{};  ///< long-term
+    wire::Key key{};                     ///< long-term
+    std::optional<wire::Key> offered{};  ///< another one that it may have by now: a pairing whose end was never heard
   };
   double airRate = 19200;  ///< bit/s
   int baud = 115200;       ///< between host and module
@@ -52,6 +53,10 @@ public:
   /// Queues a request. Get and Set are repeated twice if unanswered, Do is not, as it might be done twice.
   /// False: unknown vehicle, or 32 wait already.
   bool request(VehicleId vehicle, const wire::Request& request);
+  /// Queues the giving of another long-term key; PairingEnded tells how it ended. Whoever asks keeps the new key in a
+  /// safe place first: once it has been sent, the vehicle may have it. False: as request(), or the vehicle is not
+  /// connected, or a pairing is under way.
+  bool pair(VehicleId vehicle, const wire::Key& fresh);
 
   struct Output {
     std::vector<std::uint8_t> bytes;  ///< one frame, or none
@@ -88,6 +93,7 @@ private:
     std::size_t peer = 0;
     wire::Request request;
     unsigned tries = 0;
+    std::optional<wire::Key> newKey;  ///< a Pair; `request` is not looked at
   };
   /// A frame that went out lately, to time its answers even when they are late.
   struct Departure {
@@ -102,6 +108,7 @@ private:
   void hearIdentity(std::size_t index, const HeardIdentity& heard);
   void hearHail(std::size_t index, const HeardHail& heard);
   void hearValue(std::size_t index, const wire::Value& value);
+  void hearPairing(std::size_t index);
   void disbelieve(std::size_t index, Disbelief why);
   void came(std::size_t index, std::optional<std::uint16_t> ack);
   void tellNoise();
@@ -111,6 +118,8 @@ private:
   void closeFlight();
   void watchSilence(Seconds now);
   void dropHopelessRequests();
+  void closeRequest();
+  void unanswered(const Pending& pending);
   std::size_t sendCall(const Turn& turn, Seconds now, std::span<std::uint8_t> out);
   std::size_t sendCycle(const Turn& turn, Seconds now, std::span<std::uint8_t> out);
   std::size_t sendRequest(Seconds now, std::span<std::uint8_t> out);

@@ -44,8 +44,10 @@ void Channel::hear(const wire::Frame& frame) {
                  [&](const HeardHail& heard) { hearHail(i, heard); },
                  [&](const HeardReport& heard) { hearReport(i, heard.report, bytes); },
                  [&](const HeardValue& heard) { hearValue(i, heard.value); },
+                 [&](const HeardPaired&) { came(i, std::nullopt); },
              },
              peers_[i].session.hear(frame));
+  hearPairing(i);
 }
 
 // The answer that the flight waits for; with an acknowledgement only if it is this flight's.

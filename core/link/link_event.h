@@ -64,6 +64,11 @@ struct Answered {
   wire::Request request;
   std::optional<wire::Value> value;  ///< nullopt: no answer, for all the repetitions
 };
+/// The giving of another key has come to this.
+struct PairingEnded {
+  VehicleId vehicle;
+  PairingEnd how = PairingEnd::Unknown;
+};
 /// A frame of this vehicle was not believed.
 struct Disbelieved {
   VehicleId vehicle;
@@ -77,6 +82,6 @@ struct Noise {
 };
 
 using LinkEvent = std::variant<Identified, WrongKey, WrongVersion, Restarted, Silent, BackAgain, Reported, CommandSent,
-                               CommandAcknowledged, Answered, Disbelieved, Noise>;
+                               CommandAcknowledged, Answered, PairingEnded, Disbelieved, Noise>;
 
 }  // namespace tessera::link

@@ -72,7 +72,7 @@ private:
 };
 
 struct Peer {
-  Peer(VehicleId id, const wire::Key& key) : session{id, key} {}
+  Peer(VehicleId id, const wire::Key& key, const std::optional<wire::Key>& offered = {}) : session{id, key, offered} {}
 
   /// It is polled and commanded in the Cycles.
   [[nodiscard]] bool connected() const { return session.open() && !silent; }

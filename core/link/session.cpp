@@ -6,11 +6,12 @@ namespace tessera::link {
 
 std::size_t Session::hello(std::uint32_t nonce, std::uint32_t hostCounter, std::span<std::uint8_t> out) {
   nonce_ = nonce;
+  callsOffered_ = offered_ && !callsOffered_;
   std::array<std::uint8_t, 8> body{};
   const std::size_t size = wire::encode(wire::Hello{nonce, hostCounter}, body);
   const wire::FrameHeader header{vehicle_.value, wire::kHostAddress,
                                  static_cast<std::uint8_t>(wire::MessageType::Hello), 0};
-  return wire::sealFrame(longTerm_, 0, header, wire::Bytes{body}.first(size), out);
+  return wire::sealFrame(callsOffered_ ? *offered_ : longTerm_, 0, header, wire::Bytes{body}.first(size), out);
 }
 
 std::size_t Session::request(const wire::Request& request, std::uint32_t counter, std::span<std::uint8_t> out) const {
@@ -22,16 +23,17 @@ std::size_t Session::request(const wire::Request& request, std::uint32_t counter
 }
 
 // Frames under the long-term key carry the counter 0.
-bool Session::genuine(const wire::Frame& frame, const wire::Sealed& sealed) const {
-  return frame.header.counter == 0 && wire::sameMac(wire::macOf(longTerm_, 0, frame.header, sealed.body), sealed.mac);
+bool Session::genuine(const wire::Key& key, const wire::Frame& frame, const wire::Sealed& sealed) const {
+  return frame.header.counter == 0 && wire::sameMac(wire::macOf(key, 0, frame.header, sealed.body), sealed.mac);
 }
 
-Heard Session::hearIdentity(const wire::Sealed& sealed) {
+Heard Session::hearIdentity(const wire::Sealed& sealed, bool underOffered) {
   const auto heard = wire::decodeIdentity(sealed.body);
   if (!heard) return Disbelief::Strange;
   // Each nonce is new, so an answer to another one is an old answer.
   if (!nonce_ || heard->hostNonce != *nonce_) return session_ && !nonce_ ? Disbelief::Replayed : Disbelief::Stale;
   nonce_.reset();
+  if (underOffered) adoptOffered();
   if (heard->protocol != wire::kProtocolVersion) {
     session_.reset();
     return HeardVersion{heard->protocol};
@@ -45,9 +47,16 @@ Heard Session::hearIdentity(const wire::Sealed& sealed) {
   return HeardIdentity{*heard, first, restarted};
 }
 
-Heard Session::hearHail(const wire::Sealed& sealed) {
+Heard Session::hearHail(const wire::Sealed& sealed, bool underOffered) {
   const auto hail = wire::decodeHail(sealed.body);
   if (!hail) return Disbelief::Strange;
+  if (underOffered) {
+    // Nobody but the vehicle has this key; still only its Identity proves that it has it now. It is called with it
+    // next.
+    callsOffered_ = false;
+    session_.reset();
+    return HeardHail{*hail, false};
+  }
   // While a session stands only a later start explains a Hail; an old one could be a recording. A vehicle that cannot
   // count its starts is called again all the same, a little later: its reports stay away.
   // And a session in which nothing was ever said may not have come about on the other side.
@@ -62,9 +71,11 @@ Heard Session::hear(const wire::Frame& frame) {
   const auto sealed = wire::splitMac(frame.payload);
   if (!sealed) return Disbelief::Strange;
   const auto type = static_cast<wire::MessageType>(frame.header.type);
-  if (type == wire::MessageType::Identity || type == wire::MessageType::Hail) {
-    if (!genuine(frame, *sealed)) return session_ ? Disbelief::Forged : Disbelief::WrongKey;
-    return type == wire::MessageType::Identity ? hearIdentity(*sealed) : hearHail(*sealed);
+  if (type == wire::MessageType::Identity || type == wire::MessageType::Hail || type == wire::MessageType::Paired) {
+    const bool underOffered = offered_ && genuine(*offered_, frame, *sealed);
+    if (!underOffered && !genuine(longTerm_, frame, *sealed)) return session_ ? Disbelief::Forged : Disbelief::WrongKey;
+    if (type == wire::MessageType::Paired) return hearPaired(*sealed, underOffered);
+    return type == wire::MessageType::Identity ? hearIdentity(*sealed, underOffered) : hearHail(*sealed, underOffered);
   }
   if (type != wire::MessageType::Report && type != wire::MessageType::Value) return Disbelief::Strange;
   if (!session_) return Disbelief::Stale;
@@ -80,8 +91,10 @@ Heard Session::hear(const wire::Frame& frame) {
   nonce_.reset();  // it lives on in the standing session: the call in between was not heard
   if (type == wire::MessageType::Report) {
     const auto report = wire::decodeReport(sealed->body);
+    if (report) heardAnswerTo(report->ack);
     if (report) return HeardReport{*report};
   } else if (const auto value = wire::decodeValue(sealed->body)) {
+    heardAnswerTo(value->ack);
     return HeardValue{*value};
   }
   return Disbelief::Strange;

@@ -8,6 +8,7 @@
 #include "base/ids.h"
 #include "base/sentence.h"
 #include "base/units.h"
+#include "link/session.h"
 #include "wire/messages.h"
 
 namespace tessera::supervisor {
@@ -41,6 +42,7 @@ enum class EventKind {
   Resumed,
   OrderRefused,  ///< the sentence says why
   Answer,        ///< to Ask
+  Paired,        ///< to Pair: `pairing` tells which key the vehicle has. Unknown is followed by another one
 };
 
 /// What a vehicle said to an Ask, for programs.
@@ -55,9 +57,10 @@ struct Event {
   Severity severity = Severity::Info;
   std::optional<VehicleId> vehicle;
   EventKind kind = EventKind::PortOpened;
-  bool over = false;                  ///< closes the episode that an event of the same kind and vehicle opened
-  Sentence sentence;                  ///< complete
-  std::optional<AskAnswer> answer{};  ///< of kind Answer
+  bool over = false;                          ///< closes the episode that an event of the same kind and vehicle opened
+  Sentence sentence;                          ///< complete
+  std::optional<AskAnswer> answer{};          ///< of kind Answer
+  std::optional<link::PairingEnd> pairing{};  ///< of kind Paired
   bool operator==(const Event&) const = default;
 };
 

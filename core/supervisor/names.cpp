@@ -71,6 +71,8 @@ std::string_view nameOf(EventKind kind) {
       return "resumed";
     case EventKind::OrderRefused:
       return "order-refused";
+    case EventKind::Paired:
+      return "paired";
     case EventKind::Answer:
       return "answer";
   }

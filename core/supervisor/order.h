@@ -54,6 +54,14 @@ struct Ask {
   bool operator==(const Ask&) const = default;
 };
 
+/// Give the vehicle another long-term key over the air. It must be connected and stand. Whoever orders this keeps the
+/// new key in a safe place first, as the vehicle may have it from then on; the event Paired tells which key it has.
+struct Pair {
+  VehicleId vehicle;
+  wire::Key newKey{};
+  bool operator==(const Pair&) const = default;
+};
+
 /// A Jog holds this long; the vehicle stops when no other has come by then.
 inline constexpr Seconds kJogHolds{0.3};
 /// By hand no vehicle drives faster than this.
@@ -75,6 +83,6 @@ struct UseSite {
   bool operator==(const UseSite&) const = default;  ///< the same map, not an equal one
 };
 
-using Order = std::variant<RunRoute, Pause, Resume, Stop, StopAll, Clear, Ask, Jog, UseSite>;
+using Order = std::variant<RunRoute, Pause, Resume, Stop, StopAll, Clear, Ask, Pair, Jog, UseSite>;
 
 }  // namespace tessera::supervisor

@@ -95,6 +95,29 @@ Sentence answerSentence(const Sentence& vehicle, const link::Answered& answered)
   return phrase("Core", "%1, %2: %3.").with(vehicle, what, outcomeText(answered.request, *answered.value));
 }
 
+Sentence pairingSentence(const Sentence& vehicle, link::PairingEnd how) {
+  switch (how) {
+    case link::PairingEnd::NewKey:
+      return phrase("Core", "%1 has the new key.").with(vehicle);
+    case link::PairingEnd::OldKey:
+      return phrase("Core", "%1 did not hear the new key and has the old one still: bring it nearer and try again.")
+          .with(vehicle);
+    case link::PairingEnd::Busy:
+      return phrase("Core", "%1 takes no other key while it drives: stop it and try again.").with(vehicle);
+    case link::PairingEnd::Garbled:
+      return phrase("Core", "The new key did not reach %1 whole; it has the old one still: try again.").with(vehicle);
+    case link::PairingEnd::Failed:
+      return phrase("Core",
+                    "%1 could not keep the new key, as its memory fails, and may start with either: keep both keys and "
+                    "have its EEPROM looked at.")
+          .with(vehicle);
+    case link::PairingEnd::Unknown:
+      break;
+  }
+  return phrase("Core", "%1 has not confirmed the new key; it is called with both keys until it answers. Keep both.")
+      .with(vehicle);
+}
+
 Pattern causeText(wire::ResetCause cause) {
   switch (cause) {
     case wire::ResetCause::PowerOn:

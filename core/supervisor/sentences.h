@@ -26,6 +26,9 @@ struct FaultText {
 /// A vehicle's answer to a request, or that there was none. `vehicle`: its name.
 [[nodiscard]] Sentence answerSentence(const Sentence& vehicle, const link::Answered& answered);
 
+/// How the giving of another key has ended, and what to do about it. `vehicle`: its name.
+[[nodiscard]] Sentence pairingSentence(const Sentence& vehicle, link::PairingEnd how);
+
 /// Why a vehicle started anew: "its power was switched on", "its watchdog ended a hang" and so on.
 [[nodiscard]] Pattern causeText(wire::ResetCause cause);
 

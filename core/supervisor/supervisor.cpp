@@ -54,7 +54,9 @@ Result<Supervisor> Supervisor::create(std::shared_ptr<const floor::SiteMap> map,
     const floor::VehicleSetup* setup = map->vehicle(id);
     if (setup == nullptr)
       return failure("The site " + site.name + " has no vehicle with the address " + std::to_string(id.value) + ".");
-    channel.vehicles.push_back({id, setup->key});
+    const auto offered = config.offeredKeys.find(id);
+    channel.vehicles.push_back(
+        {id, setup->key, offered == config.offeredKeys.end() ? std::nullopt : std::optional{offered->second}});
     auto agent = VehicleAgent::create(map, *setup, config.locator, config.controller);
     if (!agent) return tl::unexpected{agent.error()};
     agents.push_back(std::move(*agent));
@@ -157,6 +159,11 @@ void Supervisor::Impl::carryOut(const Order& order) {
   if (std::holds_alternative<Stop>(order)) a->stop(log);
   if (std::holds_alternative<Clear>(order)) a->clear();
   if (const auto* jog = std::get_if<Jog>(&order)) a->jog(*jog, log);
+  if (const auto* pair = std::get_if<Pair>(&order); pair != nullptr && a->mayBePaired(log))
+    if (!channel.pair(id, pair->newKey))
+      log.tell(
+          Severity::Warning, EventKind::OrderRefused, id,
+          phrase("Core", "%1: it is being given a key already, or too many requests are waiting.").with(a->name()));
   if (const auto* ask = std::get_if<Ask>(&order)) {
     // A Stop is repeated for as long as it holds, and would end the calibration at once.
     const bool moves = ask->request.type == wire::MessageType::Do &&
@@ -169,7 +176,14 @@ void Supervisor::Impl::carryOut(const Order& order) {
 }
 
 void Supervisor::Impl::useSite(const UseSite& order) {
-  if (!order.map || !sameFleet(site->site(), order.map->site())) {
+  // A vehicle that was paired meanwhile may stand in the site with its new key.
+  floor::Site before = site->site();
+  for (floor::VehicleSetup& was : before.vehicles) {
+    const auto* now = order.map ? order.map->vehicle(was.id) : nullptr;
+    const auto* peer = channel.peer(was.id);
+    if (now != nullptr && peer != nullptr && now->key == peer->session.longTermKey()) was.key = now->key;
+  }
+  if (!order.map || !sameFleet(before, order.map->site())) {
     log.tell(Severity::Warning, EventKind::OrderRefused, std::nullopt,
              phrase("Core",
                     "The site's vehicles or its radio have changed: supervision must be restarted to take them over."));

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -25,6 +26,9 @@ struct Config {
   std::vector<VehicleId> vehicles;  ///< to look after; empty: all of the site
   std::uint64_t seed = 1;           ///< of the nonces and of the locators; from a true random source in a real run
   Seconds tick{0.02};               ///< longest time between two ticks
+  /// Keys that vehicles may have by now instead of the site's: pairings whose end was not heard before the last run
+  /// ended. Both are tried, and the event Paired tells which one it is.
+  std::map<VehicleId, wire::Key> offeredKeys{};
 };
 
 struct TickOutput {

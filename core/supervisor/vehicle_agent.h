@@ -49,6 +49,8 @@ public:
   void jog(const Jog& order, EventLog& log);
   /// True: the vehicle may be asked to move by itself (to calibrate its compass); a Stop does not hold it any longer.
   [[nodiscard]] bool letGo(EventLog& log);
+  /// True: it may be given another key now.
+  [[nodiscard]] bool mayBePaired(EventLog& log) const;
   /// The site was edited; the vehicle itself is what it was.
   void use(std::shared_ptr<const floor::SiteMap> map);
 
@@ -62,6 +64,7 @@ public:
   void take(const link::Reported& e, EventLog& log);
   void take(const link::CommandSent& e);
   void take(const link::CommandAcknowledged& e);
+  void take(const link::PairingEnded& e, EventLog& log);
   void take(const link::Disbelieved& e, Seconds now, EventLog& log);
 
   /// Decides what the vehicle shall do, as of `now`, and ends episodes that are over.
@@ -80,6 +83,7 @@ private:
   void watchPlace(EventLog& log);
   [[nodiscard]] Radians reportedHeading() const;
   [[nodiscard]] drive::VehicleState state() const;
+  [[nodiscard]] drive::VehicleState stateAt(Seconds until) const;
   void follow(Seconds now, const ChannelTiming& timing, EventLog& log);
   [[nodiscard]] link::Wish wishFor(const ChannelTiming& timing) const;
   [[nodiscard]] Sentence waitReason(Seconds now, const PortView& port) const;

@@ -90,6 +90,13 @@ void VehicleAgent::take(const link::WrongKey&, EventLog& log) {
             .with(name_));
 }
 
+void VehicleAgent::take(const link::PairingEnded& e, EventLog& log) {
+  const Severity severity = e.how == link::PairingEnd::NewKey   ? Severity::Info
+                            : e.how == link::PairingEnd::Failed ? Severity::Error
+                                                                : Severity::Warning;
+  log.tellPairing(severity, id(), pairingSentence(name_, e.how), e.how);
+}
+
 void VehicleAgent::take(const link::WrongVersion& e, EventLog& log) {
   contact_ = Contact::Refused;
   if (wrongVersion_.seen(Seconds{0}) == Change::Begins)

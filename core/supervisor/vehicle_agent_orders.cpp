@@ -121,4 +121,16 @@ void VehicleAgent::use(std::shared_ptr<const floor::SiteMap> map) {
   estimate_ = locator_->at(locator_->lastMotion());
 }
 
+bool VehicleAgent::mayBePaired(EventLog& log) const {
+  if (contact_ != Contact::Connected) {
+    refuse(log, phrase("Core", "%1 can be given another key only while it is connected.").with(name_));
+    return false;
+  }
+  if (task_ == Task::Running || task_ == Task::Jogging) {
+    refuse(log, phrase("Core", "%1 drives; stop it before you give it another key.").with(name_));
+    return false;
+  }
+  return true;
+}
+
 }  // namespace tessera::supervisor

@@ -20,10 +20,12 @@ enum class MessageType : std::uint8_t {
   Get = 0x03,       ///< host: read a parameter
   Set = 0x04,       ///< host: write a parameter (kept in EEPROM)
   Do = 0x05,        ///< host: start an action
+  Pair = 0x06,      ///< host: take this long-term key (wire/pairing.h)
   Identity = 0x81,  ///< vehicle: answer to Hello. Long-term key, counter 0
   Report = 0x82,    ///< vehicle: answer to its entry of a Cycle
   Value = 0x83,     ///< vehicle: answer to Get, Set, Do
   Hail = 0x84,      ///< vehicle: "I have no session with you", in its slot. Long-term key, counter 0
+  Paired = 0x85,    ///< vehicle: answer to Pair. Long-term key in force by then, counter 0
 };
 
 /// Body of Hello (long-term key). 8 bytes.

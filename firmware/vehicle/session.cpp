@@ -22,6 +22,7 @@ std::uint16_t milliseconds(Micros t) {
 Heard Session::receive(const wire::Frame& frame, Micros now) {
   entropy_.stir(static_cast<std::uint32_t>(now.count()));
   if (frame.header.from != wire::kHostAddress) return {};
+  if (pairing_ && frame.header.type != static_cast<std::uint8_t>(MessageType::Pair)) return {};
   switch (static_cast<MessageType>(frame.header.type)) {
     case MessageType::Hello:
       receiveHello(frame, now);
@@ -32,6 +33,8 @@ Heard Session::receive(const wire::Frame& frame, Micros now) {
     case MessageType::Set:
     case MessageType::Do:
       return receiveRequest(frame, now);
+    case MessageType::Pair:
+      return receivePair(frame, now);
     default:
       return {};
   }
@@ -102,6 +105,7 @@ bool Session::authentic(const wire::FrameHeader& header, wire::Bytes body, wire:
   if (pending_ && pending_->guard.accept(pending_->key, header, body, mac) == wire::Refusal::None) {
     current_ = pending_;
     pending_.reset();
+    former_.reset();
     heard.newSession = true;
     return true;
   }

@@ -8,20 +8,23 @@
 #include "firmware/vehicle/entropy.h"
 #include "firmware/vehicle/time.h"
 #include "wire/messages.h"
+#include "wire/pairing.h"
 
 namespace tessera::firmware {
 
 /// What a received frame asks of the vehicle. Only genuine, fresh requests get this far.
 struct Heard {
-  enum class Kind : std::uint8_t { Nothing, Entry, Request };
+  enum class Kind : std::uint8_t { Nothing, Entry, Request, Pair };
   Kind kind = Kind::Nothing;
   bool newSession = false;  ///< the first frame of a session
   wire::CycleEntry entry;
   wire::Request request;
+  wire::Key newKey{};    ///< Pair
+  wire::Paired pairing;  ///< Pair: what its answer refers to
 };
 
 /// An answer that is due now.
-enum class Owed : std::uint8_t { Nothing, Identity, Hail, Report, Value };
+enum class Owed : std::uint8_t { Nothing, Identity, Hail, Report, Value, Paired };
 
 struct Person {
   std::uint8_t address = 0;
@@ -50,8 +53,17 @@ public:
   std::size_t writeHail(std::span<std::uint8_t> out);
   std::size_t writeReport(wire::Report report, Micros now, std::span<std::uint8_t> out);  ///< fills in ack and hold
   std::size_t writeValue(std::span<std::uint8_t> out);
+  std::size_t writePaired(std::span<std::uint8_t> out);
   /// The answer to the request that was heard last.
   void answer(wire::Outcome outcome, std::int32_t value);
+
+  /// The key of a Pair is being kept: until it is answered nothing else is listened to, so that no other answer can
+  /// make the host believe that the Pair was not heard. pairing: of the newest Pair that brought this key.
+  void pairingBegun(const wire::Paired& pairing);
+  /// The vehicle's key is another one from now on: no session made under the former one is worth anything any more.
+  void rekey(const wire::Key& key);
+  /// The answer to the Pair that has begun, under the key that is in force now.
+  void pairingEnded(wire::Outcome outcome, Micros now);
 
   [[nodiscard]] bool open() const { return current_.has_value(); }
   /// kFaultForged and kFaultReplayed as they stand; writeReport() clears them.
@@ -69,6 +81,8 @@ private:
   void receiveHello(const wire::Frame& frame, Micros now);
   Heard receiveCycle(const wire::Frame& frame, Micros now);
   Heard receiveRequest(const wire::Frame& frame, Micros now);
+  Heard receivePair(const wire::Frame& frame, Micros now);
+  [[nodiscard]] Keyed* authenticPair(const wire::FrameHeader& header, const wire::Sealed& sealed, Heard& heard);
   bool authentic(const wire::FrameHeader& header, wire::Bytes body, wire::Bytes mac, Heard& heard);
   void refuse(wire::Refusal why);
   void owe(Owed what, Micros when, Micros patience);
@@ -80,6 +94,10 @@ private:
   Entropy entropy_;
   std::optional<Keyed> current_;
   std::optional<Keyed> pending_;
+  std::optional<Keyed> former_;  ///< in which the key was changed: good for the same Pair once more, and nothing else
+  wire::Key formerKey_{};        ///< the long-term key of that session
+  bool pairing_ = false;
+  wire::Paired paired_;
   std::uint16_t hellos_ = 0;
   std::uint16_t faults_ = 0;
   std::uint32_t refused_ = 0;

@@ -14,6 +14,7 @@ set(TESSERA_VEHICLE_SOURCES
   rangers.cpp
   reader_row.cpp
   session.cpp
+  session_pairing.cpp
   settings.cpp
   settings_store.cpp
   tag_log.cpp

@@ -20,6 +20,7 @@ void Vehicle::poll() {
   if (!started_) start(now);
   radio_.poll(now, [&](const wire::Frame& frame) { hear(session_.receive(frame, now), now); });
   if (const auto reading = readers_.poll(now)) tags_.take(*reading, now);
+  carryPairingOn(now);
   reply(now);
   restartWhenDue(now);
 }
@@ -67,6 +68,9 @@ void Vehicle::hear(const Heard& heard, Micros now) {
     case Heard::Kind::Request:
       handle(heard.request, now);
       break;
+    case Heard::Kind::Pair:
+      pair(heard, now);
+      break;
   }
 }
 
@@ -88,6 +92,9 @@ void Vehicle::reply(Micros now) {
       break;
     case Owed::Value:
       size = session_.writeValue(out);
+      break;
+    case Owed::Paired:
+      size = session_.writePaired(out);
       break;
   }
   radio_.send(wire::Bytes{out}.first(size));

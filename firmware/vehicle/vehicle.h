@@ -40,6 +40,9 @@ private:
   wire::Outcome set(wire::Parameter parameter, std::int32_t value);
   wire::Outcome act(wire::Action action, Micros now);
   void use(const Settings& settings);
+  // Another key (vehicle_requests.cpp): kept in the EEPROM first, then in force, then answered.
+  void pair(const Heard& heard, Micros now);
+  void carryPairingOn(Micros now);
 
   Board& board_;
   Clock clock_;
@@ -52,6 +55,7 @@ private:
   bool started_ = false;
   bool polled_ = false;
   bool batteryLow_ = false;
+  std::optional<wire::Key> keyBefore_;  ///< while another one is being written
   std::uint32_t longestTick_ = 0;
   std::optional<Micros> restartAt_;
 };

@@ -85,6 +85,37 @@ Outcome Vehicle::act(wire::Action action, Micros now) {
   return Outcome::Unknown;
 }
 
+// A Pair that is repeated finds its key in force, or on its way into the EEPROM, and changes nothing.
+void Vehicle::pair(const Heard& heard, Micros now) {
+  Settings settings = store_.settings();
+  const bool known = settings.key == heard.newKey;
+  if (keyBefore_ && !known) return;
+  session_.pairingBegun(heard.pairing);
+  if (keyBefore_) return;
+  const wire::VehicleState state = pilot_.state();
+  const bool stands = state == wire::VehicleState::Standing || state == wire::VehicleState::Expired ||
+                      state == wire::VehicleState::Faulted;
+  if (known || !stands) return session_.pairingEnded(known ? Outcome::Done : Outcome::Busy, now);
+  keyBefore_ = settings.key;
+  settings.key = heard.newKey;
+  store_.save(settings);
+}
+
+// The new key is in force, and answered with, only once it has been read back: whoever hears it answered has it.
+void Vehicle::carryPairingOn(Micros now) {
+  if (!keyBefore_ || store_.saving()) return;
+  Settings settings = store_.settings();
+  if (!store_.faulty()) {
+    session_.rekey(settings.key);
+    session_.pairingEnded(Outcome::Done, now);
+  } else {
+    settings.key = *keyBefore_;
+    store_.save(settings);
+    session_.pairingEnded(Outcome::Failed, now);
+  }
+  keyBefore_.reset();
+}
+
 // Address and radio parameters are looked at in start() only.
 void Vehicle::use(const Settings& settings) {
   pilot_.configure(settings);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "wire/messages.h"
+#include "wire/pairing.h"
 
 namespace tessera::firmware::test {
 
@@ -47,6 +48,16 @@ public:
     return sealed(session_, ++counter_, type, wire::Bytes{body}.first(n));
   }
 
+  Frame pair(const wire::Key& fresh) {
+    newKey = fresh;
+    ++counter_;
+    std::array<std::uint8_t, 24> body;
+    encode(wire::makePair(key_, fresh, {{nonce_, identity->boot, identity->hello}, counter_}), body);
+    return sealed(session_, counter_, wire::MessageType::Pair, body);
+  }
+  /// Calls with this key from now on.
+  void useKey(const wire::Key& key) { key_ = key; }
+
   /// What the vehicle sent. Frames that are not authentic are counted and otherwise ignored.
   void take(wire::Bytes bytes) {
     decoder_.feed(bytes, [&](const wire::Frame& frame) { takeFrame(frame); });
@@ -56,6 +67,9 @@ public:
   std::optional<wire::Hail> hail;
   std::optional<wire::Report> report;
   std::optional<wire::Value> value;
+  std::optional<wire::Paired> paired;
+  bool pairedUnderNewKey = false;
+  std::optional<wire::Key> newKey;  ///< of the last pair()
   int reports = 0;
   int unauthentic = 0;
   std::uint8_t nextEvent = 0;
@@ -72,6 +86,7 @@ private:
     const auto parts = wire::splitMac(frame.payload);
     if (!parts || frame.header.from != vehicle_) return;
     const auto type = static_cast<wire::MessageType>(frame.header.type);
+    if (type == wire::MessageType::Paired) return takePaired(frame, *parts);
     const bool longTerm = type == wire::MessageType::Identity || type == wire::MessageType::Hail;
     const bool good =
         longTerm ? wire::sameMac(wire::macOf(key_, frame.header.counter, frame.header, parts->body), parts->mac)
@@ -87,6 +102,13 @@ private:
       report = wire::decodeReport(parts->body);
       ++reports;
     }
+  }
+  void takePaired(const wire::Frame& frame, const wire::Sealed& parts) {
+    const auto under = [&](const wire::Key& key) {
+      return wire::sameMac(wire::macOf(key, 0, frame.header, parts.body), parts.mac);
+    };
+    pairedUnderNewKey = newKey && under(*newKey);
+    if (pairedUnderNewKey || under(key_)) paired = wire::decodePaired(parts.body);
   }
   void takeIdentity(wire::Bytes body) {
     const auto got = wire::decodeIdentity(body);

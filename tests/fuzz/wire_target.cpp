@@ -3,6 +3,7 @@
 
 #include "fuzz/targets.h"
 #include "wire/messages.h"
+#include "wire/pairing.h"
 
 namespace tessera::fuzz {
 namespace {
@@ -23,6 +24,9 @@ void decodeAll(Bytes body) {
   comesBack(decodeHail(body), body);
   comesBack(decodeReport(body), body);
   comesBack(decodeValue(body), body);
+  comesBack(decodePair(body), body);
+  comesBack(decodePaired(body), body);
+  if (const auto pair = decodePair(body)) require(!openPair(*pair, {}, {}), "no key without its proof");
   for (auto type : {MessageType::Get, MessageType::Set, MessageType::Do}) comesBack(decodeRequest(type, body), body);
 }
 
@@ -86,6 +90,8 @@ std::vector<Input> wireSeeds() {
   add(MessageType::Set, Request{MessageType::Set, 2, 100'000});
   add(MessageType::Do, Request{MessageType::Do, 1, 0});
   add(MessageType::Value, Value{});
+  add(MessageType::Pair, makePair({}, Key{1, 2, 3}, {{1, 2, 3}, 4}));
+  add(MessageType::Paired, Paired{1, 2, Outcome::Busy});
   Report report;
   report.eventCount = 3;
   for (std::size_t i = 0; i < 3; ++i) report.events[i].kind = static_cast<EventKind>(i);

@@ -13,6 +13,7 @@
 #include "base/ids.h"
 #include "base/units.h"
 #include "wire/messages.h"
+#include "wire/pairing.h"
 #include "wire/security.h"
 
 namespace tessera::test {
@@ -56,6 +57,8 @@ public:
     const auto sealed = wire::splitMac(frame.payload);
     if (!sealed) return std::nullopt;
     if (type == wire::MessageType::Hello) return hearHello(frame, *sealed);
+    if (type == wire::MessageType::Pair && hearsNoPair) return std::nullopt;
+    if (type == wire::MessageType::Pair) return hearPair(frame, *sealed);
     return hearRequest(frame, *sealed);
   }
 
@@ -70,8 +73,12 @@ public:
   Seconds sluggishness{0.001};  ///< before it answers; counted into the hold
   wire::Report report;          ///< what it tells, but for ack, clock, hold and events
   std::function<void(const wire::CycleEntry&, Seconds)> onCommand;
-  std::function<void(Seconds)> beforeReport;  ///< may bring `report` up to this instant
+  std::function<void(Seconds)> beforeReport;        ///< may bring `report` up to this instant
+  wire::Outcome pairOutcome = wire::Outcome::Done;  ///< what it says to a Pair; takes the key with Done
+  bool hearsNoPair = false;
+  bool takesPairsInSilence = false;  ///< the answer is lost
   // What it saw.
+  unsigned pairs = 0;
   std::vector<wire::CycleEntry> commands;
   std::uint32_t forged = 0;
   std::uint32_t replayed = 0;
@@ -86,6 +93,7 @@ private:
     wire::Key key;
     wire::ReplayGuard guard;
     std::uint32_t counter = 0;
+    wire::SessionNonce nonce{};
   };
   using Buffer = std::array<std::uint8_t, wire::kMaxFrame>;
 
@@ -111,8 +119,11 @@ private:
     who.protocol = protocol;
     who.hardware = 255;
     who.readers = 3;
-    session_ =
-        Session{wire::deriveSessionKey(key, {hello->hostNonce, boot, hellos_}), wire::ReplayGuard{hello->hostCounter}};
+    session_ = Session{wire::deriveSessionKey(key, {hello->hostNonce, boot, hellos_}),
+                       wire::ReplayGuard{hello->hostCounter},
+                       0,
+                       {hello->hostNonce, boot, hellos_}};
+    former_.reset();
     Buffer body{};
     const std::size_t size = wire::encode(who, body);
     return seal(wire::MessageType::Identity, wire::Bytes{body}.first(size), true, sluggishness);
@@ -175,7 +186,33 @@ private:
     return seal(wire::MessageType::Value, wire::Bytes{body}.first(size), false, sluggishness);
   }
 
+  // Like the firmware: the former session is good for the same Pair once more.
+  std::optional<Answer> hearPair(const wire::Frame& frame, const wire::Sealed& sealed) {
+    const auto pair = wire::decodePair(sealed.body);
+    std::optional<Session>& session = session_ ? session_ : former_;
+    if (!pair || !session ||
+        session->guard.accept(session->key, frame.header, sealed.body, sealed.mac) != wire::Refusal::None)
+      return std::nullopt;
+    const std::uint32_t counter = session->guard.last();
+    const std::uint32_t hostNonce = session->nonce.host;
+    const auto fresh = wire::openPair(*pair, session_ ? key : formerKey_, {session->nonce, counter});
+    if (!fresh) return std::nullopt;
+    ++pairs;
+    if (pairOutcome == wire::Outcome::Done && session_) {
+      formerKey_ = key;
+      key = *fresh;
+      former_ = session_;
+      session_.reset();
+    }
+    if (takesPairsInSilence) return std::nullopt;
+    Buffer body{};
+    const std::size_t size = wire::encode(wire::Paired{hostNonce, counter, pairOutcome}, body);
+    return seal(wire::MessageType::Paired, wire::Bytes{body}.first(size), true, Seconds{0.03});
+  }
+
   std::uint16_t hellos_ = 0;
+  std::optional<Session> former_;
+  wire::Key formerKey_{};
   std::optional<Session> session_;
   std::deque<Event> events_;
   std::uint8_t firstEvent_ = 0;

@@ -14,12 +14,14 @@ T expectValue(Result<T> result) {
 
 Scenario::Scenario(ScenarioSetup setup) : setup_{std::move(setup)} {
   floor::Site site = expectValue(floor::loadSite(std::string{TESSERA_SITES} + "/" + setup_.site));
+  setup_.change(site);
   if (setup_.world.airRate) site.radio.airRate = *setup_.world.airRate;
   setup_.world.seed = setup_.seed;
   supervisor::Config config;
   config.locator = setup_.locator;
   config.controller = setup_.controller;
   config.seed = setup_.seed;
+  config.offeredKeys = setup_.offeredKeys;
   for (const auto& a : setup_.assignments) {
     config.vehicles.push_back(a.vehicle);
     setup_.world.vehicles.push_back(a.vehicle.value);
@@ -59,7 +61,8 @@ std::size_t Scenario::eventCount(supervisor::EventKind kind, bool over) const {
 
 std::string Scenario::sentences() const {
   std::string all;
-  for (const auto& e : recorder_->events()) all += std::to_string(e.time.value()) + " s: " + e.sentence.english() + "\n";
+  for (const auto& e : recorder_->events())
+    all += std::to_string(e.time.value()) + " s: " + e.sentence.english() + "\n";
   return all;
 }
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,6 +25,8 @@ struct ScenarioSetup {
   world::WorldOptions world;  ///< site, vehicles and seed are filled in
   std::string locator;
   std::string controller;
+  std::function<void(floor::Site&)> change = [](floor::Site&) {};  ///< to the site that world and supervisor share
+  std::map<VehicleId, wire::Key> offeredKeys;                      ///< supervisor::Config::offeredKeys
   bool wrongKey = false;  ///< the supervisor's site has another key for every vehicle than its EEPROM
 };
 

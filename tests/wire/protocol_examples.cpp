@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "wire/messages.h"
+#include "wire/pairing.h"
 #include "wire/parameters.h"
 
 namespace tessera::wire {
@@ -12,8 +13,10 @@ constexpr Key kLongTerm7{0x00, 0x01, 0x02, 0x03, 0x04, 0x05, 0x06, 0x07,
                          0x08, 0x09, 0x0A, 0x0B, 0x0C, 0x0D, 0x0E, 0x0F};
 constexpr Key kLongTerm9{0x10, 0x11, 0x12, 0x13, 0x14, 0x15, 0x16, 0x17,
                          0x18, 0x19, 0x1A, 0x1B, 0x1C, 0x1D, 0x1E, 0x1F};
+constexpr Key kNew7{0xC0, 0xC1, 0xC2, 0xC3, 0xC4, 0xC5, 0xC6, 0xC7, 0xC8, 0xC9, 0xCA, 0xCB, 0xCC, 0xCD, 0xCE, 0xCF};
 constexpr std::uint32_t kHostNonce = 0x1A2B3C4D;
 constexpr std::uint32_t kHostCounter = 1000;
+constexpr std::uint32_t kPairCounter = 2000;  // later in the same session
 constexpr std::uint32_t kBoot = 42;
 constexpr std::uint16_t kBearing = 7282;  // 40 degrees
 
@@ -106,6 +109,9 @@ std::vector<Example> protocolExamples() {
       {"do", sealed(session7, kHostCounter + 5, true, MessageType::Do, Request{MessageType::Do, act, 0})},
       {"value-do",
        sealed(session7, 5, false, MessageType::Value, Value{u16(kHostCounter + 5), act, Outcome::Started, 0})},
+      {"pair", sealed(session7, kPairCounter, true, MessageType::Pair,
+                      makePair(kLongTerm7, kNew7, {{kHostNonce, kBoot, 1}, kPairCounter}))},
+      {"paired", sealed(kNew7, 0, false, MessageType::Paired, Paired{kHostNonce, kPairCounter, Outcome::Done})},
       {"cycle-probe", finished(probe)},
       {"hail", sealed(kLongTerm7, 0, false, MessageType::Hail,
                       Hail{kBoot + 1, static_cast<std::uint8_t>(ResetCause::Watchdog)})},
