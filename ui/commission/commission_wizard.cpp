@@ -55,7 +55,7 @@ CommissionWizard::CommissionWizard(FleetLink& link, SiteDocument& document, std:
   setSideWidget(&steps_);
   retranslate();
   const int line = fontMetrics().height();
-  setMinimumSize(line * 54, line * 36);
+  setMinimumSize(line * 62, line * 36);
 }
 
 // The vehicle goes into the site before the first page that speaks to it.

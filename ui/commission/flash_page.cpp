@@ -22,6 +22,7 @@ FlashPage::FlashPage(Commissioning& work, QWidget* parent)
     c.what.setWordWrap(true);
     c.line.setText(QLatin1String{lines[i]});
     c.line.setReadOnly(true);
+    c.line.setToolTip(c.line.text());
     c.line.setCursorPosition(0);
     c.line.setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     c.line.setObjectName(QStringLiteral("flashCommand%1").arg(i + 1));

@@ -108,7 +108,8 @@ void ReaderTable::removeCurrent() {
 
 void ReaderTable::retranslate() {
   table_.setAccessibleName(tr("Places of the readers"));
-  table_.setHorizontalHeaderLabels({tr("Ahead [m]"), tr("To the left [m]")});
+  table_.setHorizontalHeaderLabels({tr("Ahead (m)"), tr("Left (m)")});
+  table_.setToolTip(tr("How far ahead of the middle between the driven wheels, and how far to its left"));
   add_.setText(tr("Add a reader"));
   remove_.setText(tr("Remove it"));
   fill();

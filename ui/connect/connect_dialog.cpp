@@ -62,8 +62,7 @@ ConnectDialog::ConnectDialog(QWidget* parent) : QDialog{parent} {
   connect(&buttons_, &QDialogButtonBox::rejected, this, &ConnectDialog::reject);
   serialKind_.setChecked(true);
   retranslate();
-  setMinimumWidth(fontMetrics().height() * 34);
-  new FitHeight{*this};
+  new FitHeight{*this, fontMetrics().height() * 34};
 }
 
 void ConnectDialog::setChoice(const ConnectionChoice& choice) {

@@ -46,8 +46,7 @@ RadioDialog::RadioDialog(RadioBench& bench, const floor::RadioSetup& site, QWidg
   connect(&buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   end();
   retranslate();
-  setMinimumWidth(fontMetrics().height() * 40);
-  new FitHeight{*this};
+  new FitHeight{*this, fontMetrics().height() * 40};
 }
 
 void RadioDialog::layOut() {

@@ -5,6 +5,8 @@
 #include <QFileInfo>
 #include <QKeyEvent>
 #include <QTextDocument>
+#include <QTextFrame>
+#include <QTextTable>
 #include <QVBoxLayout>
 
 #include "ui/base/icon.h"
@@ -35,6 +37,7 @@ HelpWindow::HelpWindow(QWidget* parent) : QWidget{parent, Qt::Window} {
   connect(&browser_, &QTextBrowser::anchorClicked, this, &HelpWindow::follow);
   connect(&browser_, &QTextBrowser::sourceChanged, this, [this](const QUrl& url) {
     topic_ = QFileInfo{url.path()}.completeBaseName();
+    smoothTables();
     const QSignalBlocker quiet{&contents_};
     for (int i = 0; i < contents_.count(); ++i)
       if (contents_.item(i)->data(Qt::UserRole).toString() == topic()) contents_.setCurrentRow(i);
@@ -108,6 +111,23 @@ void HelpWindow::markHits() {
   browser_.setExtraSelections(marks);
 }
 
+// Markdown's tables come with double lines.
+void HelpWindow::smoothTables() {
+  for (QTextFrame* frame : browser_.document()->rootFrame()->childFrames()) {
+    auto* table = qobject_cast<QTextTable*>(frame);
+    if (table == nullptr) continue;
+    QTextTableFormat format = table->format();
+    format.setBorderCollapse(true);
+    format.setBorderBrush(palette().brush(QPalette::Mid));
+    format.setBorder(1);
+    format.setCellPadding(fontMetrics().height() / 4.0);
+    format.setCellSpacing(0);
+    format.setTopMargin(fontMetrics().height() / 2.0);
+    format.setBottomMargin(fontMetrics().height() / 2.0);
+    table->setFormat(format);
+  }
+}
+
 // Links lead to other pages as "routes.md", or out of the program.
 void HelpWindow::follow(const QUrl& url) {
   if (url.scheme().startsWith(QLatin1String{"http"})) {
@@ -153,7 +173,10 @@ void HelpWindow::keyPressEvent(QKeyEvent* event) {
 void HelpWindow::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange) retranslate();
   // Markdown takes its colours when it is read.
-  if (event->type() == QEvent::PaletteChange) browser_.reload();
+  if (event->type() == QEvent::PaletteChange) {
+    browser_.reload();
+    smoothTables();
+  }
   QWidget::changeEvent(event);
 }
 

@@ -34,6 +34,7 @@ private:
   void retranslate();
   void fill();
   void markHits();
+  void smoothTables();
   void follow(const QUrl& url);
 
   HelpPages pages_;
