@@ -120,6 +120,7 @@ void HelpWindow::smoothTables() {
     format.setBorderCollapse(true);
     format.setBorderBrush(palette().brush(QPalette::Mid));
     format.setBorder(1);
+    format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
     format.setCellPadding(fontMetrics().height() / 4.0);
     format.setCellSpacing(0);
     format.setTopMargin(fontMetrics().height() / 2.0);
