@@ -52,7 +52,8 @@ void FloorCanvas::paintLive(QPainter& painter, const QRegion& region) {
     paintRoute(painter, view_, theme_, *chosen, RouteLook::Chosen);
   if (layers_.trails) {
     for (const VehicleMark& mark : all) {
-      if (const Trail* trail = fleet_.trail(mark.vehicle->id)) paintTrail(painter, view_, *trail, now, mark.colour);
+      if (const Trail* trail = fleet_.trail(mark.vehicle->id))
+        paintTrail(painter, view_, *trail, now, mark.colour, theme_.tile);
     }
   }
   std::vector<VehicleMark> seen;

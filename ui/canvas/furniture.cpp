@@ -86,8 +86,7 @@ void paintRulers(QPainter& painter, const View& view, const CanvasTheme& theme) 
   const QSizeF band = rulerBand(painter.font());
   const double gap = metrics.height() * 0.25;
   const SiteBox box = view.visible();
-  QColor back = theme.background;
-  back.setAlpha(238);
+  const QColor back = theme.background;
   painter.fillRect(QRectF{0, 0, band.width(), size.height() - band.height()}, back);
   painter.fillRect(QRectF{0, size.height() - band.height(), size.width(), band.height()}, back);
   painter.setRenderHint(QPainter::Antialiasing, false);

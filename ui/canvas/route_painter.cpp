@@ -8,6 +8,7 @@
 #include "drive/control_points.h"
 #include "ui/canvas/clip.h"
 #include "ui/canvas/furniture.h"
+#include "ui/canvas/strokes.h"
 
 namespace tessera::ui {
 namespace {
@@ -110,12 +111,11 @@ void paintRoute(QPainter& painter, const View& view, const CanvasTheme& theme, c
   std::vector<QLineF> legs;
   for (std::size_t n = 1; n < route.vertices.size(); ++n)
     legs.emplace_back(view.toPixel(route.vertices[n - 1]), view.toPixel(route.vertices[n]));
-  QColor casing = theme.halo;
-  casing.setAlpha(chosen ? 220 : 150);
+  const QColor casing = mixedColour(theme.tile, theme.halo, chosen ? 0.9 : 0.6);
   for (const auto& [pen, breadth] : {std::pair{casing, width + 2.5}, std::pair{colour, width}}) {
     painter.setPen(QPen{pen, breadth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin});
     for (const QLineF& leg : legs) {
-      if (const auto seen = clipped(leg, around)) painter.drawLine(*seen);
+      if (const auto seen = clipped(leg, around)) strokeLine(painter, *seen);
     }
   }
   if (chosen) paintTicks(painter, view, route, theme.onRoute);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ui/canvas/furniture.h"
+#include "ui/canvas/strokes.h"
 
 namespace tessera::ui {
 namespace {
@@ -118,14 +119,14 @@ QRectF extentOf(const VehicleMark& mark, const View& view, const QFont& font, co
   return extent.adjusted(-14, -14, 14, 14);
 }
 
-void paintTrail(QPainter& painter, const View& view, const Trail& trail, Seconds now, QColor colour) {
+void paintTrail(QPainter& painter, const View& view, const Trail& trail, Seconds now, QColor colour, QColor under) {
   const QRectF window = QRectF{QPointF{}, view.size()}.adjusted(-4, -4, 4, 4);
   for (const Trail::Piece& piece : trail.pieces(view, now, kTrailBands)) {
     const QRectF box = piece.line.boundingRect();
     if (!box.adjusted(-2, -2, 2, 2).intersects(window)) continue;
-    colour.setAlphaF(static_cast<float>(0.75 * (1.0 - piece.age) + 0.08));
-    painter.setPen(QPen{colour, 2.0, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin});
-    painter.drawPolyline(piece.line);
+    painter.setPen(QPen{mixedColour(under, colour, 0.15 + 0.7 * (1.0 - piece.age)), 2.0, Qt::SolidLine, Qt::RoundCap,
+                        Qt::BevelJoin});
+    strokePolyline(painter, piece.line);
   }
 }
 

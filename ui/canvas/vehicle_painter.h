@@ -26,7 +26,8 @@ struct VehicleMark {
 /// Everything of the mark but its trail lies in here.
 [[nodiscard]] QRectF extentOf(const VehicleMark& mark, const View& view, const QFont& font, const CanvasLayers& layers);
 
-void paintTrail(QPainter& painter, const View& view, const Trail& trail, Seconds now, QColor colour);
+/// Fades towards `under`, the colour of the floor.
+void paintTrail(QPainter& painter, const View& view, const Trail& trail, Seconds now, QColor colour, QColor under);
 /// Where a command that is sent now will find it.
 void paintGhost(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark);
 void paintVehicle(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark,
