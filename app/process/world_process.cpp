@@ -1,6 +1,7 @@
 #include "app/process/world_process.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <nlohmann/json.hpp>
 
 namespace tessera::process {
@@ -10,12 +11,20 @@ namespace {
 constexpr int kStartMs = 120'000;
 constexpr int kEndMs = 5'000;
 
+// Beside this program, or where a build tree keeps programs apart from tests.
+QString worldProgram() {
+  const QString here = QCoreApplication::applicationDirPath();
+  const QString beside = here + QStringLiteral("/tessera-world");
+  const QString apart = here + QStringLiteral("/../bin/tessera-world");
+  return !QFileInfo::exists(beside) && QFileInfo::exists(apart) ? apart : beside;
+}
+
 }  // namespace
 
 void WorldProcess::begin(const std::vector<std::string>& arguments) {
   QStringList words;
   for (const std::string& a : arguments) words << QString::fromStdString(a);
-  const QString program = QCoreApplication::applicationDirPath() + QStringLiteral("/tessera-world");
+  const QString program = worldProgram();
   process_.setProcessChannelMode(QProcess::SeparateChannels);
   // Whatever it prints must be taken, or it blocks on a full pipe.
   connect(&process_, &QProcess::readyReadStandardOutput, this, &WorldProcess::takeOutput);

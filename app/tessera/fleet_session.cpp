@@ -1,0 +1,222 @@
+#include "app/tessera/fleet_session.h"
+
+#include <QRandomGenerator>
+#include <QTemporaryDir>
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "app/world/world_options.h"
+#include "floor/site_json.h"
+
+namespace tessera::desktop {
+namespace {
+
+constexpr int kLookMs = 50;
+constexpr int kEditMs = 200;
+constexpr int kPatienceMs = 3000;  // a vehicle out of reach stops by itself; nobody waits for it longer
+
+}  // namespace
+
+host::PortChoice portChoiceOf(const ui::ConnectionChoice& choice, const QString& port, int baud) {
+  switch (choice.kind) {
+    case ui::ConnectionChoice::Kind::Tcp:
+      return {host::PortChoice::Tcp{choice.host, choice.tcpPort}};
+    case ui::ConnectionChoice::Kind::Serial:
+      return {host::PortChoice::Serial{choice.port, choice.baud}};
+    case ui::ConnectionChoice::Kind::Demo:
+      break;
+  }
+  return {host::PortChoice::Serial{port, baud}};
+}
+
+FleetSession::FleetSession(QObject* parent) : ui::FleetLink{parent} {
+  editing_.setSingleShot(true);
+  editing_.setInterval(kEditMs);
+  connect(&editing_, &QTimer::timeout, this, &FleetSession::passSiteOn);
+  stopping_.setInterval(kLookMs);
+  connect(&stopping_, &QTimer::timeout, this, &FleetSession::lookWhetherStopped);
+}
+
+FleetSession::~FleetSession() { close(); }
+
+std::shared_ptr<const supervisor::Snapshot> FleetSession::latest() const {
+  return thread_ ? thread_->latest() : nullptr;
+}
+
+bool FleetSession::post(supervisor::Order order) {
+  // An order may name a route that was drawn just now.
+  if (editing_.isActive()) passSiteOn();
+  return thread_ && thread_->post(std::move(order));
+}
+
+void FleetSession::connectTo(const ui::ConnectionChoice& choice, std::shared_ptr<const floor::SiteMap> map) {
+  map_ = std::move(map);
+  if (state_ != State::Off) {
+    next_ = choice;
+    beginEnd();
+    return;
+  }
+  choice_ = choice;
+  if (choice.kind == ui::ConnectionChoice::Kind::Demo)
+    startWorld();
+  else
+    supervise(portChoiceOf(choice, choice.port, map_->site().radio.baud));
+}
+
+void FleetSession::disconnectGently() {
+  next_.reset();
+  beginEnd();
+}
+
+void FleetSession::beginEnd() {
+  if (state_ == State::Stopping || state_ == State::Off) return;
+  if (state_ == State::Starting || state_ == State::Resting) {
+    finish();
+    return;
+  }
+  post(supervisor::StopAll{});
+  patience_ = kPatienceMs;
+  setState(State::Stopping);
+  stopping_.start();
+}
+
+bool FleetSession::close() {
+  stopping_.stop();
+  next_.reset();
+  const bool stood = !thread_ || thread_->close();
+  finish();
+  return stood;
+}
+
+void FleetSession::useSite(std::shared_ptr<const floor::SiteMap> map) {
+  const bool same = map_ && map_->site().vehicles == map->site().vehicles && map_->site().radio == map->site().radio;
+  map_ = std::move(map);
+  if (state_ != State::Live && state_ != State::Starting) return;
+  if (!same)
+    connectTo(*choice_, map_);
+  else if (!editing_.isActive())
+    editing_.start();
+}
+
+void FleetSession::passSiteOn() {
+  editing_.stop();
+  if (thread_) thread_->post(supervisor::UseSite{map_});
+}
+
+std::optional<host::PortChoice> FleetSession::rest() {
+  if (state_ != State::Live) return std::nullopt;
+  endThread();
+  setState(State::Resting);
+  Q_EMIT snapshotChanged();
+  return port_;
+}
+
+void FleetSession::resume() {
+  if (state_ == State::Resting) supervise(host::PortChoice{*port_});
+}
+
+Seconds FleetSession::liveFor() const { return thread_ ? host::steadyNow() - since_ : Seconds{}; }
+
+void FleetSession::endThread() {
+  editing_.stop();
+  if (!thread_) return;
+  thread_->close();
+  const auto events = thread_->takeEvents();
+  thread_.reset();
+  if (!events.empty()) Q_EMIT eventsArrived(events);
+}
+
+void FleetSession::tellWorld(const std::string& line) {
+  if (world_) world_->command(line);
+}
+
+void FleetSession::startWorld() {
+  setState(State::Starting);
+  folder_ = std::make_unique<QTemporaryDir>();
+  const auto file = std::filesystem::path{folder_->path().toStdString()} / "site.tessera.json";
+  if (const auto saved = floor::saveSite(map_->site(), file); !saved) {
+    Q_EMIT failed(QString::fromStdString(saved.error().sentence));
+    finish();
+    return;
+  }
+  world::WorldOptions options;
+  options.site = file.string();
+  options.kind = emulated_ ? world::Kind::Qemu : world::Kind::Native;
+  auto words = world::worldArguments(options);
+  words.emplace_back("--with-parent");
+  // A name that stays when the port is pulled and plugged in again.
+  const QString port = folder_->filePath(QStringLiteral("radio"));
+  words.insert(words.end(), {"--link", port.toStdString()});
+  world_ = std::make_unique<process::WorldProcess>();
+  connect(world_.get(), &process::WorldProcess::ready, this,
+          [this, port] { supervise(portChoiceOf(*choice_, port, map_->site().radio.baud)); });
+  // Not from within the process' own signal: it ends there.
+  connect(world_.get(), &process::WorldProcess::died, this, &FleetSession::onWorldDied, Qt::QueuedConnection);
+  world_->begin(words);
+}
+
+void FleetSession::supervise(const host::PortChoice& port) {
+  supervisor::Config config;
+  // Nonces must never come twice; a seeded run would repeat the last one's.
+  config.seed = QRandomGenerator::system()->generate64();
+  auto supervisor = supervisor::Supervisor::create(map_, config);
+  if (!supervisor) {
+    Q_EMIT failed(QString::fromStdString(supervisor.error().sentence));
+    finish();
+    return;
+  }
+  thread_ = std::make_unique<host::SupervisorThread>(std::move(*supervisor), port);
+  port_ = port;
+  since_ = host::steadyNow();
+  connect(thread_.get(), &host::SupervisorThread::snapshotChanged, this, &FleetSession::snapshotChanged);
+  connect(thread_.get(), &host::SupervisorThread::eventsArrived, this, [this] {
+    if (!thread_) return;
+    const auto events = thread_->takeEvents();
+    if (!events.empty()) Q_EMIT eventsArrived(events);
+  });
+  thread_->start();
+  setState(State::Live);
+}
+
+void FleetSession::lookWhetherStopped() {
+  patience_ -= kLookMs;
+  if (patience_ > 0 && !allStand()) return;
+  stopping_.stop();
+  finish();
+}
+
+bool FleetSession::allStand() const {
+  const auto picture = latest();
+  if (!picture || picture->port.state != supervisor::PortState::Open) return true;
+  return std::all_of(picture->vehicles.begin(), picture->vehicles.end(), [](const supervisor::VehicleView& v) {
+    return v.contact != supervisor::Contact::Connected || (v.command && v.command->mode == wire::CommandMode::Stop &&
+                                                           v.command->status == supervisor::CommandStatus::Done);
+  });
+}
+
+void FleetSession::finish() {
+  if (state_ == State::Off) return;
+  endThread();
+  if (world_) world_.release()->deleteLater();
+  port_.reset();
+  folder_.reset();
+  setState(State::Off);
+  Q_EMIT snapshotChanged();
+  if (!next_) return;
+  const auto next = *std::exchange(next_, std::nullopt);
+  connectTo(next, map_);
+}
+
+void FleetSession::onWorldDied(const QString& sentence) {
+  Q_EMIT failed(sentence);
+  close();
+}
+
+void FleetSession::setState(State state) {
+  if (state == state_) return;
+  state_ = state;
+  Q_EMIT stateChanged();
+}
+
+}  // namespace tessera::desktop

@@ -1,0 +1,110 @@
+#include "app/tessera/keeper.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "host/supervisor_thread.h"
+#include "store/site_store.h"
+
+namespace tessera::desktop {
+namespace {
+
+constexpr int kRestMs = 400;  // edits of one drag are kept once
+constexpr int kHistory = 300;
+
+}  // namespace
+
+QString Keeper::databasePath() {
+  return QDir{QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)}.filePath(
+      QStringLiteral("tessera.sqlite"));
+}
+
+QDateTime Keeper::wallClock(Seconds instant) {
+  const double ago = (host::steadyNow() - instant).value();
+  return QDateTime::currentDateTime().addMSecs(-static_cast<qint64>(ago * 1000.0));
+}
+
+Keeper::Keeper(ui::SiteDocument& document, ui::FleetLink& fleet, QObject* parent)
+    : QObject{parent}, document_{document} {
+  QDir{}.mkpath(QFileInfo{databasePath()}.path());
+  store::StoreThread::Options options;
+  options.file = databasePath().toStdString();
+  store_ = std::make_unique<store::StoreThread>(options);
+  connect(store_.get(), &store::StoreThread::failed, this, &Keeper::failed);
+  connect(store_.get(), &store::StoreThread::journalFound, this,
+          [this](quint64 request, const store::JournalPage& page) {
+            if (request != history_) return;
+            std::vector<ui::JournalLine> lines;
+            for (auto entry = page.entries.rbegin(); entry != page.entries.rend(); ++entry)
+              lines.push_back({QDateTime::fromMSecsSinceEpoch(entry->utcMs), entry->severity, entry->vehicle,
+                               QString::fromStdString(entry->sentence)});
+            Q_EMIT historyLoaded(lines);
+          });
+  store_->start();
+  edits_.setSingleShot(true);
+  edits_.setInterval(kRestMs);
+  connect(&edits_, &QTimer::timeout, this, [this] { keepSite(document_.isModified()); });
+  connect(&document_, &ui::SiteDocument::replaced, this, [this] {
+    edits_.stop();
+    key_ = document_.path().isEmpty() ? store::freshKey() : store::keyOfFile(document_.path().toStdString());
+  });
+  connect(&document_, &ui::SiteDocument::changed, this, [this] { edits_.start(); });
+  connect(&fleet, &ui::FleetLink::eventsArrived, this, &Keeper::note);
+}
+
+Keeper::~Keeper() { close(); }
+
+std::shared_ptr<const floor::SiteMap> Keeper::unsaved(const QString& path) {
+  // A connection of its own: the answer is needed before anything else goes on.
+  auto database = store::Database::open(databasePath().toStdString());
+  if (!database) return nullptr;
+  const store::SiteStore sites{**database};
+  const std::string key = store::keyOfFile(path.toStdString());
+  const auto kept = sites.find(key);
+  if (!kept || !*kept || !(*kept)->differsFromFile) return nullptr;
+  auto site = sites.load(key);
+  if (!site || !*site) return nullptr;
+  const auto map = floor::SiteMap::build(std::move(**site));
+  return map ? *map : nullptr;
+}
+
+void Keeper::onSaved(const QString& path) {
+  const std::string old = std::exchange(key_, store::keyOfFile(path.toStdString()));
+  // Under its new name it is another site; what the old file holds did not change.
+  if (!old.empty() && old != key_) store_->removeSite(old);
+  keepSite(false);
+}
+
+void Keeper::onGivenUp(const QString& path) {
+  edits_.stop();
+  store_->removeSite(path.isEmpty() ? key_ : store::keyOfFile(path.toStdString()));
+}
+
+void Keeper::keepSite(bool differsFromFile) {
+  edits_.stop();
+  if (!key_.empty()) store_->keepSite(key_, document_.map(), QDateTime::currentMSecsSinceEpoch(), differsFromFile);
+}
+
+void Keeper::note(const std::vector<supervisor::Event>& events) {
+  std::vector<store::Note> notes;
+  for (const auto& event : events)
+    notes.push_back({wallClock(event.time).toMSecsSinceEpoch(), document_.site().name, event});
+  store_->appendEvents(std::move(notes));
+}
+
+void Keeper::loadHistory() {
+  store::JournalFilter filter;
+  filter.limit = kHistory;
+  history_ = store_->queryJournal(filter);
+}
+
+bool Keeper::close() {
+  if (edits_.isActive()) keepSite(document_.isModified());
+  return store_->close();
+}
+
+}  // namespace tessera::desktop

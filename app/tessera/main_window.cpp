@@ -1,0 +1,140 @@
+#include "app/tessera/main_window.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFile>
+#include <QLabel>
+#include <QMessageBox>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolBar>
+
+#include "app/tessera/fleet_session.h"
+#include "app/tessera/keeper.h"
+#include "app/tessera/site_files.h"
+#include "app/tessera/window_actions.h"
+#include "app/tessera/window_panels.h"
+#include "ui/canvas/floor_canvas.h"
+#include "ui/connect/start_page.h"
+#include "ui/fleet/stop_all.h"
+#include "ui/help/help_topic.h"
+#include "ui/help/help_window.h"
+#include "ui/route/route_tool.h"
+
+namespace tessera::desktop {
+
+MainWindow::MainWindow(QWidget* parent) : QMainWindow{parent} {
+  setObjectName(QStringLiteral("mainWindow"));
+  session_ = new FleetSession{this};
+  files_ = new SiteFiles{document_, settings_, *this};
+  files_->setParent(this);
+  keeper_ = new Keeper{document_, *session_, this};
+  actions_ = new WindowActions{*this, document_.undoStack()};
+  buildCentre();
+  panels_ = new WindowPanels{*this, *session_, selection_, document_};
+  auto* spacer = new QWidget;
+  spacer->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  actions_->toolBar().addWidget(spacer);
+  stopAll_ = new ui::StopAllButton{*session_};
+  actions_->toolBar().addWidget(stopAll_);
+  stopAllKey_ = new ui::StopAllKey{*session_, this};
+  buildStatusBar();
+  joinSite();
+  joinFleet();
+  joinActions();
+  joinPanels();
+  retranslate();
+  showSite();
+  showFleetState();
+}
+
+MainWindow::~MainWindow() {
+  session_->close();
+  // Its parts look at the document, which goes before them otherwise.
+  delete takeCentralWidget();
+}
+
+void MainWindow::buildCentre() {
+  centre_ = new QStackedWidget;
+  start_ = new ui::StartPage;
+  canvas_ = new ui::FloorCanvas;
+  canvas_->setProperty("helpTopic", QStringLiteral("floor"));
+  start_->setProperty("helpTopic", QStringLiteral("start"));
+  centre_->addWidget(start_);
+  centre_->addWidget(canvas_);
+  setCentralWidget(centre_);
+  routeTool_ = std::make_unique<ui::RouteTool>(document_, selection_, this);
+}
+
+void MainWindow::buildStatusBar() {
+  hint_ = new QLabel;
+  place_ = new QLabel;
+  port_ = new QLabel;
+  place_->setObjectName(QStringLiteral("placeLabel"));
+  port_->setObjectName(QStringLiteral("portLabel"));
+  hint_->setObjectName(QStringLiteral("hintLabel"));
+  statusBar()->addWidget(hint_, 1);
+  statusBar()->addPermanentWidget(place_);
+  statusBar()->addPermanentWidget(port_);
+}
+
+void MainWindow::restore(bool reopen) {
+  setLanguage(settings_.language().isEmpty() ? Languages::ofSystem() : settings_.language());
+  setAppearance(settings_.appearance());
+  if (!restoreGeometry(settings_.geometry())) resize(1280, 820);
+  if (!restoreState(settings_.layout())) panels_->arrange(*this);
+  showRecent();
+  if (reopen && !settings_.site().isEmpty() && QFile::exists(settings_.site())) files_->open(settings_.site());
+}
+
+void MainWindow::setLanguage(const QString& code) {
+  languages_.use(code);
+  settings_.setLanguage(languages_.current());
+  for (QAction* action : actions_->languages->actions())
+    action->setChecked(action->data().toString() == languages_.current());
+}
+
+void MainWindow::setAppearance(Appearance appearance) {
+  apply(appearance);
+  settings_.setAppearance(appearance);
+  actions_->appearances->actions().at(static_cast<int>(appearance))->setChecked(true);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!files_->mayLeave()) {
+    event->ignore();
+    return;
+  }
+  panels_->setShown(true);  // the start page hides them; that is no choice to remember
+  settings_.setWindow(saveGeometry(), saveState());
+  settings_.setSite(document_.path());
+  hide();
+  session_->close();
+  keeper_->close();
+  event->accept();
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) retranslate();
+  QMainWindow::changeEvent(event);
+}
+
+void MainWindow::retranslate() {
+  actions_->retranslate();
+  panels_->retranslate();
+  showSite();
+  showFleetState();
+}
+
+void MainWindow::tell(const QString& sentence) { statusBar()->showMessage(sentence, 15000); }
+
+void MainWindow::showHelp() {
+  if (help_ == nullptr) help_ = new ui::HelpWindow{this};
+  help_->showTopic(ui::helpTopicOf(QApplication::focusWidget()));
+  help_->show();
+  help_->raise();
+  help_->activateWindow();
+}
+
+}  // namespace tessera::desktop

@@ -1,0 +1,105 @@
+// The window: the floor in the middle, panels around it, the stop button always in reach. It joins the parts and knows
+// what none of them needs to know of the others.
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+#include <optional>
+
+#include "app/tessera/languages.h"
+#include "app/tessera/settings.h"
+#include "ui/base/connection_choice.h"
+#include "ui/base/selection.h"
+#include "ui/base/site_document.h"
+
+class QLabel;
+class QStackedWidget;
+
+namespace tessera::ui {
+class CanvasTool;
+class FloorCanvas;
+class HelpWindow;
+class RouteTool;
+class StartPage;
+class StopAllButton;
+class StopAllKey;
+}  // namespace tessera::ui
+
+namespace tessera::desktop {
+
+class FleetSession;
+class Keeper;
+class SiteFiles;
+class WindowActions;
+class WindowPanels;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  [[nodiscard]] ui::SiteDocument& document() { return document_; }
+  [[nodiscard]] ui::Selection& selection() { return selection_; }
+  [[nodiscard]] FleetSession& session() { return *session_; }
+  [[nodiscard]] SiteFiles& files() { return *files_; }
+  [[nodiscard]] ui::FloorCanvas& canvas() { return *canvas_; }
+  [[nodiscard]] Keeper& keeper() { return *keeper_; }
+
+  /// Window, panels, language and appearance as they were; then the site that was open, if `reopen`.
+  void restore(bool reopen);
+  void setLanguage(const QString& code);
+  void setAppearance(Appearance appearance);
+  /// Opens the demo floor and supervises its simulated vehicles.
+  void openDemo();
+  void connectTo(const ui::ConnectionChoice& choice);
+
+protected:
+  void closeEvent(QCloseEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+private:
+  void buildCentre();
+  void buildStatusBar();
+  void joinSite();
+  void joinFleet();
+  void joinActions();
+  void joinPanels();
+  void showSite();
+  void showFleetState();
+  void showRecent();
+  void forgetSelectionThatIsGone();
+  void useTool(ui::CanvasTool* tool);
+  void drawRoute();
+  void showTool();
+  [[nodiscard]] std::optional<ui::ConnectionChoice> chooseConnection();
+  void askConnection();
+  void openRadio();
+  void commission(std::optional<VehicleId> vehicle);
+  void tell(const QString& sentence);
+  void showHelp();
+  void retranslate();
+
+  Settings settings_;
+  Languages languages_;
+  ui::SiteDocument document_;
+  ui::Selection selection_;
+  FleetSession* session_;
+  Keeper* keeper_;
+  SiteFiles* files_;
+  WindowActions* actions_;
+  QStackedWidget* centre_;
+  ui::StartPage* start_;
+  ui::FloorCanvas* canvas_;
+  std::unique_ptr<ui::RouteTool> routeTool_;
+  WindowPanels* panels_;
+  ui::StopAllButton* stopAll_;
+  ui::StopAllKey* stopAllKey_;
+  ui::HelpWindow* help_ = nullptr;
+  bool open_ = false;  // a site stands in the document
+  QLabel* place_;
+  QLabel* hint_;
+  QLabel* port_;
+};
+
+}  // namespace tessera::desktop

@@ -1,0 +1,181 @@
+#include "app/tessera/site_files.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QInputDialog>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStandardPaths>
+
+#include "floor/new_floor.h"
+#include "floor/site_json.h"
+#include "ui/connect/new_site_dialog.h"
+
+namespace tessera::desktop {
+namespace {
+
+const QString kSuffix = QStringLiteral(".tessera.json");
+
+class WaitCursor {
+public:
+  WaitCursor() { QGuiApplication::setOverrideCursor(Qt::WaitCursor); }
+  ~WaitCursor() { QGuiApplication::restoreOverrideCursor(); }
+  WaitCursor(const WaitCursor&) = delete;
+  WaitCursor& operator=(const WaitCursor&) = delete;
+};
+
+Result<std::shared_ptr<const floor::SiteMap>> mapFrom(const QString& path) {
+  const WaitCursor wait;
+  auto site = floor::loadSite(path.toStdString());
+  if (!site) return tl::unexpected{site.error()};
+  return floor::SiteMap::build(*std::move(site));
+}
+
+}  // namespace
+
+SiteFiles::SiteFiles(ui::SiteDocument& document, Settings& settings, QWidget& window)
+    : document_{document}, settings_{settings}, window_{window} {}
+
+Result<QString> SiteFiles::demoPath() {
+  const QDir folder{QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)};
+  const QString path = folder.filePath(QStringLiteral("demo") + kSuffix);
+  if (QFileInfo::exists(path)) return path;
+  QFile ours{QStringLiteral(":/sites/demo.tessera.json")};
+  if (!folder.mkpath(QStringLiteral(".")) || !ours.copy(path))
+    return failure("The demo floor could not be put into " + folder.path().toStdString() + ": " +
+                   ours.errorString().toStdString() + ".");
+  QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner);
+  return path;
+}
+
+bool SiteFiles::open(const QString& path) { return mayLeave() && read(QFileInfo{path}.absoluteFilePath()); }
+
+bool SiteFiles::openAsking() {
+  if (!mayLeave()) return false;
+  const QString start = document_.path().isEmpty() ? QDir::homePath() : QFileInfo{document_.path()}.path();
+  const QString path =
+      QFileDialog::getOpenFileName(&window_, tr("Open a site"), start, tr("Sites (*%1);;All files (*)").arg(kSuffix));
+  return !path.isEmpty() && read(path);
+}
+
+bool SiteFiles::openDemo() {
+  const auto path = demoPath();
+  if (path) return open(*path);
+  tell(tr("The demo floor is not there"), QString::fromStdString(path.error().sentence));
+  return false;
+}
+
+bool SiteFiles::create() {
+  if (!mayLeave()) return false;
+  ui::NewSiteDialog dialog{&window_};
+  if (dialog.exec() != QDialog::Accepted) return false;
+  const WaitCursor wait;
+  auto site = floor::layNewFloor(dialog.wish());
+  auto map = site ? floor::SiteMap::build(*std::move(site)) : tl::unexpected{site.error()};
+  if (!map) {
+    tell(tr("The site could not be made"), QString::fromStdString(map.error().sentence));
+    return false;
+  }
+  document_.replace(*std::move(map), {});
+  Q_EMIT opened();
+  return true;
+}
+
+bool SiteFiles::read(const QString& path) {
+  auto map = mapFrom(path);
+  if (!map) {
+    tell(tr("The site could not be opened"), QString::fromStdString(map.error().sentence));
+    return false;
+  }
+  const auto unsaved = recovery_ ? recovery_(path) : nullptr;
+  document_.replace(*map, path);
+  settings_.addRecent(path);
+  settings_.setSite(path);
+  if (unsaved && !(unsaved->site() == (*map)->site())) {
+    // As one step upon the file's contents, so that it can be looked at, saved or undone like any other.
+    if (wantsRecovered(path))
+      document_.restore(tr("Restore unsaved changes"), unsaved);
+    else
+      Q_EMIT givenUp(path);
+  }
+  Q_EMIT opened();
+  return true;
+}
+
+bool SiteFiles::wantsRecovered(const QString& path) {
+  QMessageBox box{QMessageBox::Question, tr("Unsaved changes were kept"),
+                  tr("When %1 was open last, the program ended before its changes were saved. Take them up again?")
+                      .arg(QFileInfo{path}.fileName()),
+                  QMessageBox::NoButton, &window_};
+  box.setObjectName(QStringLiteral("recoverQuestion"));
+  QAbstractButton* take = box.addButton(tr("&Take them up"), QMessageBox::AcceptRole);
+  box.addButton(tr("&Forget them"), QMessageBox::DestructiveRole);
+  box.setDefaultButton(qobject_cast<QPushButton*>(take));
+  box.exec();
+  return box.clickedButton() == take;
+}
+
+bool SiteFiles::save() { return document_.path().isEmpty() ? saveAs() : writeTo(document_.path()); }
+
+bool SiteFiles::saveAs() {
+  const QString proposal = document_.path().isEmpty()
+                               ? QDir::home().filePath(QString::fromStdString(document_.site().name) + kSuffix)
+                               : document_.path();
+  QString path = QFileDialog::getSaveFileName(&window_, tr("Save the site"), proposal, tr("Sites (*%1)").arg(kSuffix));
+  if (path.isEmpty()) return false;
+  if (!path.endsWith(QLatin1String{".json"})) path += kSuffix;
+  return writeTo(path);
+}
+
+bool SiteFiles::writeTo(const QString& path) {
+  const WaitCursor wait;
+  if (const auto saved = floor::saveSite(document_.site(), path.toStdString()); !saved) {
+    tell(tr("The site could not be saved"), QString::fromStdString(saved.error().sentence));
+    return false;
+  }
+  document_.setPath(path);
+  document_.markSaved();
+  settings_.addRecent(path);
+  settings_.setSite(path);
+  Q_EMIT saved(path);
+  return true;
+}
+
+void SiteFiles::rename() {
+  bool agreed = false;
+  const QString name = QInputDialog::getText(&window_, tr("Rename the site"), tr("&Name of the site:"),
+                                             QLineEdit::Normal, QString::fromStdString(document_.site().name), &agreed);
+  if (!agreed) return;
+  const auto done = document_.edit(tr("Rename site"), [&](floor::Site& s) { s.name = name.trimmed().toStdString(); });
+  if (!done) tell(tr("The site could not be renamed"), QString::fromStdString(done.error().sentence));
+}
+
+bool SiteFiles::mayLeave() {
+  if (!document_.isModified()) return true;
+  QMessageBox box{
+      QMessageBox::Question, tr("Save the changes?"),
+      tr("The site “%1” has changes that are not saved.").arg(QString::fromStdString(document_.site().name)),
+      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_};
+  box.setObjectName(QStringLiteral("saveQuestion"));
+  box.setDefaultButton(QMessageBox::Save);
+  switch (box.exec()) {
+    case QMessageBox::Save:
+      return save();
+    case QMessageBox::Discard:
+      Q_EMIT givenUp(document_.path());
+      return true;
+    default:
+      return false;
+  }
+}
+
+void SiteFiles::tell(const QString& title, const QString& sentence) {
+  QMessageBox box{QMessageBox::Warning, title, sentence, QMessageBox::Ok, &window_};
+  box.setObjectName(QStringLiteral("trouble"));
+  box.exec();
+}
+
+}  // namespace tessera::desktop

@@ -1,0 +1,59 @@
+// Opening, saving and leaving sites, with the questions that a person must be asked on the way.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+
+#include "app/tessera/settings.h"
+#include "ui/base/site_document.h"
+
+class QWidget;
+
+namespace tessera::desktop {
+
+class SiteFiles : public QObject {
+  Q_OBJECT
+public:
+  SiteFiles(ui::SiteDocument& document, Settings& settings, QWidget& window);
+
+  /// False: it could not be read, which has been told, or the person wants to stay with what is open.
+  bool open(const QString& path);
+  bool openAsking();
+  bool openDemo();
+  bool create();
+  /// Asks for a name where there is none yet. False: not saved.
+  bool save();
+  bool saveAs();
+  void rename();
+  /// Offers to save what is not saved. False: the person wants to stay.
+  [[nodiscard]] bool mayLeave();
+
+  /// Where the demo site is kept, so that changes to it can be saved; made when it is not there.
+  [[nodiscard]] static Result<QString> demoPath();
+  /// Given a path, the unsaved site that an earlier run left behind for it, if any; asked at each opening.
+  void setRecovery(std::function<std::shared_ptr<const floor::SiteMap>(const QString&)> recovery) {
+    recovery_ = std::move(recovery);
+  }
+
+Q_SIGNALS:
+  /// A site stands in the document that was not there before.
+  void opened();
+  /// What stands in the document is what this file holds.
+  void saved(const QString& path);
+  /// The changes to this file's site, or with an empty path to one that has none yet, shall be forgotten.
+  void givenUp(const QString& path);
+
+private:
+  bool read(const QString& path);
+  bool writeTo(const QString& path);
+  [[nodiscard]] bool wantsRecovered(const QString& path);
+  void tell(const QString& title, const QString& sentence);
+
+  ui::SiteDocument& document_;
+  Settings& settings_;
+  QWidget& window_;
+  std::function<std::shared_ptr<const floor::SiteMap>(const QString&)> recovery_;
+};
+
+}  // namespace tessera::desktop

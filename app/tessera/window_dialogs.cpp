@@ -1,0 +1,68 @@
+// The dialogues that the main window opens, and what comes of them.
+#include <QSerialPortInfo>
+#include <QStatusBar>
+
+#include "app/tessera/fleet_session.h"
+#include "app/tessera/main_window.h"
+#include "app/tessera/radio_workbench.h"
+#include "ui/commission/commission_wizard.h"
+#include "ui/connect/connect_dialog.h"
+#include "ui/connect/radio_dialog.h"
+
+namespace tessera::desktop {
+namespace {
+
+std::vector<ui::PortFound> portsFound() {
+  std::vector<ui::PortFound> ports;
+  for (const QSerialPortInfo& info : QSerialPortInfo::availablePorts()) {
+    // Linux lists the sockets of plugs that no computer has had for years.
+    if (info.portName().startsWith(QLatin1String{"ttyS"}) && info.description().isEmpty() &&
+        !info.hasVendorIdentifier())
+      continue;
+    ports.push_back({info.systemLocation(), info.description(), false});
+  }
+  return ports;
+}
+
+}  // namespace
+
+std::optional<ui::ConnectionChoice> MainWindow::chooseConnection() {
+  ui::ConnectDialog dialog{this};
+  dialog.setSiteBaud(document_.site().radio.baud);
+  dialog.setPorts(portsFound());
+  dialog.setChoice(settings_.connection());
+  connect(&dialog, &ui::ConnectDialog::refreshRequested, &dialog, [&dialog] { dialog.setPorts(portsFound()); });
+  if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+  settings_.setConnection(dialog.choice());
+  return dialog.choice();
+}
+
+void MainWindow::askConnection() {
+  if (const auto choice = chooseConnection()) connectTo(*choice);
+}
+
+void MainWindow::connectTo(const ui::ConnectionChoice& choice) { session_->connectTo(choice, document_.map()); }
+
+void MainWindow::commission(std::optional<VehicleId> vehicle) {
+  ui::CommissionWizard wizard{*session_, document_, vehicle, this};
+  connect(&wizard, &ui::CommissionWizard::connectRequested, this, &MainWindow::askConnection);
+  wizard.exec();
+  if (wizard.vehicle()) selection_.setVehicle(wizard.vehicle());
+}
+
+void MainWindow::openRadio() {
+  const bool live = session_->state() == FleetSession::State::Live;
+  const auto choice = live ? session_->choice() : chooseConnection();
+  if (!choice) return;
+  if (!live && choice->kind == ui::ConnectionChoice::Kind::Demo) {
+    tell(tr("The simulated world has no radio module until it is connected: choose Connect first."));
+    return;
+  }
+  RadioWorkbench bench{*session_, *choice, document_.site().radio};
+  ui::RadioDialog dialog{bench, document_.site().radio, this};
+  dialog.setAdvice(bench.advice());
+  connect(&bench, &ui::RadioBench::found, &dialog, [&] { dialog.setAdvice(bench.advice()); });
+  dialog.exec();
+}
+
+}  // namespace tessera::desktop

@@ -1,0 +1,74 @@
+#include "app/tessera/window_panels.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+#include <algorithm>
+
+#include "ui/charts/live_charts.h"
+#include "ui/fleet/event_panel.h"
+#include "ui/fleet/run_panel.h"
+#include "ui/fleet/vehicle_table.h"
+#include "ui/route/route_panel.h"
+
+namespace tessera::desktop {
+
+WindowPanels::WindowPanels(QMainWindow& window, ui::FleetLink& fleet, ui::Selection& selection,
+                           ui::SiteDocument& document)
+    : QObject{&window} {
+  vehicles = new ui::VehicleTable{fleet, selection, document};
+  run = new ui::RunPanel{fleet, selection, document};
+  routes = new ui::RoutePanel{document, selection};
+  charts = new ui::LiveCharts{fleet, selection, document};
+  events = new ui::EventPanel{fleet, selection, document};
+  window.setDockNestingEnabled(true);
+  window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  auto* vehicleDock = add(window, "vehiclesDock", "vehicles", Qt::BottomDockWidgetArea, vehicles);
+  auto* chartDock = add(window, "chartsDock", "charts", Qt::BottomDockWidgetArea, charts);
+  auto* eventDock = add(window, "eventsDock", "events", Qt::BottomDockWidgetArea, events);
+  window.tabifyDockWidget(vehicleDock, chartDock);
+  window.tabifyDockWidget(chartDock, eventDock);
+  vehicleDock->raise();
+  add(window, "runDock", "running", Qt::RightDockWidgetArea, run);
+  add(window, "routesDock", "routes", Qt::RightDockWidgetArea, routes);
+  retranslate();
+}
+
+QDockWidget* WindowPanels::add(QMainWindow& window, const char* name, const char* topic, Qt::DockWidgetArea area,
+                               QWidget* content) {
+  auto* dock = new QDockWidget{&window};
+  dock->setObjectName(QString::fromLatin1(name));
+  dock->setProperty("helpTopic", QString::fromLatin1(topic));
+  dock->setWidget(content);
+  window.addDockWidget(area, dock);
+  docks_.push_back(dock);
+  return dock;
+}
+
+void WindowPanels::setShown(bool shown) {
+  if (shown == shown_) return;
+  shown_ = shown;
+  if (!shown) {
+    hidden_.clear();
+    for (QDockWidget* dock : docks_) {
+      // A dock behind another tab is not visible but not hidden either.
+      if (!dock->isHidden()) hidden_.push_back(dock);
+      dock->hide();
+    }
+    return;
+  }
+  for (QDockWidget* dock : hidden_) dock->show();
+}
+
+void WindowPanels::arrange(QMainWindow& window) {
+  const int line = window.fontMetrics().height();
+  window.resizeDocks({docks_[0]}, {13 * line}, Qt::Vertical);
+  window.resizeDocks({docks_[3], docks_[4]}, {17 * line, 22 * line}, Qt::Vertical);
+  window.resizeDocks({docks_[3]}, {18 * line}, Qt::Horizontal);
+}
+
+void WindowPanels::retranslate() {
+  const QStringList titles{tr("Vehicles"), tr("Charts"), tr("What happened"), tr("Drive"), tr("Routes")};
+  for (std::size_t i = 0; i < docks_.size(); ++i) docks_[i]->setWindowTitle(titles.at(static_cast<qsizetype>(i)));
+}
+
+}  // namespace tessera::desktop

@@ -1,0 +1,51 @@
+// The panels around the floor: which there are, where they stand at first, and their titles.
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+#include <vector>
+
+#include "ui/base/fleet_link.h"
+#include "ui/base/selection.h"
+#include "ui/base/site_document.h"
+
+class QDockWidget;
+class QMainWindow;
+
+namespace tessera::ui {
+class EventPanel;
+class LiveCharts;
+class RoutePanel;
+class RunPanel;
+class VehicleTable;
+}  // namespace tessera::ui
+
+namespace tessera::desktop {
+
+class WindowPanels : public QObject {
+  Q_OBJECT
+public:
+  WindowPanels(QMainWindow& window, ui::FleetLink& fleet, ui::Selection& selection, ui::SiteDocument& document);
+
+  ui::VehicleTable* vehicles;
+  ui::RunPanel* run;
+  ui::RoutePanel* routes;
+  ui::LiveCharts* charts;
+  ui::EventPanel* events;
+
+  [[nodiscard]] const std::vector<QDockWidget*>& docks() const { return docks_; }
+  /// Shown together with the floor, hidden behind the start page.
+  void setShown(bool shown);
+  void retranslate();
+  /// Heights and widths of a first start.
+  void arrange(QMainWindow& window);
+
+private:
+  QDockWidget* add(QMainWindow& window, const char* name, const char* topic, Qt::DockWidgetArea area, QWidget* content);
+
+  std::vector<QDockWidget*> docks_;
+  std::vector<QDockWidget*> hidden_;
+  bool shown_ = true;
+};
+
+}  // namespace tessera::desktop

@@ -1,0 +1,99 @@
+#include "app/desktop/desktop_fixture.h"
+
+#include <QApplication>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTimer>
+
+#include "app/tessera/site_files.h"
+#include "ui/canvas/view.h"
+
+namespace tessera::desktop {
+namespace {
+
+// Far more than anything takes on a machine that does other things as well.
+constexpr int kPatienceMs = 120'000;
+
+}  // namespace
+
+DesktopTest::DesktopTest() {
+  QStandardPaths::setTestModeEnabled(false);
+  qputenv("XDG_DATA_HOME", home.filePath("data").toUtf8());
+  qputenv("XDG_CONFIG_HOME", home.filePath("config").toUtf8());
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, home.filePath("config"));
+}
+
+DesktopTest::~DesktopTest() {
+  if (window) killWindow();
+}
+
+void DesktopTest::openWindow(bool reopen) {
+  window = std::make_unique<MainWindow>();
+  window->restore(false);
+  window->setLanguage(QStringLiteral("en"));
+  window->setAppearance(Appearance::Light);
+  window->show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+  if (reopen) window->restore(true);
+}
+
+bool DesktopTest::closeWindow() {
+  if (!window->close()) return false;
+  window.reset();
+  return true;
+}
+
+void DesktopTest::killWindow() {
+  window->document().markSaved();
+  window.reset();
+}
+
+bool DesktopTest::until(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, kPatienceMs); }
+
+void DesktopTest::answerQuestion(const QString& name, const QString& buttonText) {
+  auto* look = new QTimer{qApp};
+  look->setInterval(20);
+  QObject::connect(look, &QTimer::timeout, look, [look, name, buttonText] {
+    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    if (box == nullptr || box->objectName() != name) return;
+    for (QAbstractButton* button : box->buttons()) {
+      if (QString{button->text()}.remove('&') != buttonText) continue;
+      look->deleteLater();
+      QTest::mouseClick(button, Qt::LeftButton);
+      return;
+    }
+  });
+  look->start();
+}
+
+void DesktopTest::startDemo() {
+  QTest::mouseClick(find("demoButton"), Qt::LeftButton);
+  ASSERT_TRUE(until([&] { return vehicle().contact == supervisor::Contact::Connected && vehicle().located; }));
+}
+
+supervisor::VehicleView DesktopTest::vehicle() const {
+  const auto picture = window->session().latest();
+  return picture && !picture->vehicles.empty() ? picture->vehicles.front() : supervisor::VehicleView{};
+}
+
+QPoint DesktopTest::pixelOf(double x, double y) const {
+  return window->canvas().view().toPixel({Metres{x}, Metres{y}}).toPoint();
+}
+
+void DesktopTest::clickFloor(double x, double y, bool twice) {
+  const QPoint at = pixelOf(x, y);
+  QTest::mouseMove(&window->canvas(), at);
+  QTest::mouseClick(&window->canvas(), Qt::LeftButton, {}, at);
+  if (twice) QTest::mouseDClick(&window->canvas(), Qt::LeftButton, {}, at);
+}
+
+void DesktopTest::drawRoute(const std::vector<std::pair<double, double>>& vertices) {
+  trigger("drawRoute");
+  for (const auto& [x, y] : vertices) clickFloor(x, y);
+  QTest::keyClick(&window->canvas(), Qt::Key_Return);
+}
+
+}  // namespace tessera::desktop

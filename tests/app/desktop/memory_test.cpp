@@ -1,0 +1,98 @@
+// What the window still knows after it was closed, or died.
+#include <QDockWidget>
+#include <QFile>
+
+#include "app/desktop/desktop_fixture.h"
+#include "app/tessera/keeper.h"
+#include "app/tessera/site_files.h"
+#include "store/site_store.h"
+
+namespace tessera::desktop {
+namespace {
+
+class Memory : public DesktopTest {
+protected:
+  void openDemoFloor() {
+    const auto demo = SiteFiles::demoPath();
+    ASSERT_TRUE(demo) << demo.error().sentence;
+    ASSERT_TRUE(window->files().open(*demo));
+  }
+};
+
+TEST_F(Memory, bringsBackTheSiteThePanelsAndTheLanguage) {
+  ASSERT_NO_FATAL_FAILURE(openWindow());
+  ASSERT_NO_FATAL_FAILURE(openDemoFloor());
+  window->resize(1111, 777);
+  find<QDockWidget>("routesDock")->close();
+  trigger("language_zh_CN");
+  trigger("appearance_dark");
+  const QString path = window->document().path();
+  ASSERT_TRUE(closeWindow());
+
+  window = std::make_unique<MainWindow>();
+  window->restore(true);
+  window->show();
+  EXPECT_EQ(window->document().path(), path);
+  EXPECT_EQ(window->size(), QSize(1111, 777));
+  EXPECT_TRUE(find<QDockWidget>("routesDock")->isHidden());
+  EXPECT_FALSE(find<QDockWidget>("runDock")->isHidden());
+  EXPECT_TRUE(find<QAction>("language_zh_CN")->isChecked());
+  EXPECT_TRUE(find<QAction>("appearance_dark")->isChecked());
+}
+
+TEST_F(Memory, takesUpWhatWasNotSavedWhenTheProgramDied) {
+  ASSERT_NO_FATAL_FAILURE(openWindow());
+  ASSERT_NO_FATAL_FAILURE(openDemoFloor());
+  drawRoute({{0.3, 0.3}, {0.3, 1.5}});
+  const auto drawn = window->document().site();
+  const QString path = window->document().path();
+  ASSERT_TRUE(until([&] { return window->keeper().unsaved(path) != nullptr; }));
+  killWindow();
+
+  answerQuestion("recoverQuestion", "Take them up");
+  ASSERT_NO_FATAL_FAILURE(openWindow());
+  EXPECT_EQ(window->document().site(), drawn);
+  EXPECT_TRUE(window->isWindowModified()) << "its file does not have them yet";
+  window->document().undoStack().undo();
+  EXPECT_NE(window->document().site(), drawn) << "the file's own contents are one step back";
+}
+
+TEST_F(Memory, forgetsWhatWasGivenUp) {
+  ASSERT_NO_FATAL_FAILURE(openWindow());
+  ASSERT_NO_FATAL_FAILURE(openDemoFloor());
+  const auto before = window->document().site();
+  drawRoute({{0.3, 0.3}, {0.3, 1.5}});
+  answerQuestion("saveQuestion", "Discard");
+  ASSERT_TRUE(closeWindow());
+  ASSERT_NO_FATAL_FAILURE(openWindow());
+  EXPECT_EQ(window->document().site(), before);
+  EXPECT_FALSE(window->isWindowModified());
+}
+
+TEST_F(Memory, keepsTheOpenSiteInTheDatabase) {
+  ASSERT_NO_FATAL_FAILURE(openWindow());
+  ASSERT_NO_FATAL_FAILURE(openDemoFloor());
+  const auto site = window->document().site();
+  const auto key = store::keyOfFile(window->document().path().toStdString());
+  ASSERT_TRUE(closeWindow());
+  const auto database = store::Database::open(Keeper::databasePath().toStdString());
+  ASSERT_TRUE(database);
+  const auto kept = store::SiteStore{**database}.load(key);
+  ASSERT_TRUE(kept && *kept);
+  EXPECT_EQ(**kept, site);
+}
+
+TEST_F(Memory, tellsOfAFileThatIsNoSiteAndGoesOn) {
+  ASSERT_NO_FATAL_FAILURE(openWindow());
+  const QString path = home.filePath("broken.tessera.json");
+  QFile file{path};
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("{\"format\": \"tessera-site\", ");
+  file.close();
+  answerQuestion("trouble", "OK");
+  EXPECT_FALSE(window->files().open(path));
+  EXPECT_TRUE(find("demoButton")->isVisible()) << "the start page still stands";
+}
+
+}  // namespace
+}  // namespace tessera::desktop

@@ -1,0 +1,150 @@
+// Pictures of every view in both languages and appearances, with a look at each widget: is its text drawn whole? Run
+// once at each scale; the folder is TESSERA_PICTURES, or none are kept. `./dev pictures` renews those of docs/pictures.
+#include <QAbstractButton>
+#include <QApplication>
+#include <QDir>
+#include <QDockWidget>
+#include <QLabel>
+#include <QScrollArea>
+
+#include "app/desktop/desktop_fixture.h"
+#include "app/tessera/site_files.h"
+#include "ui/commission/commission_wizard.h"
+#include "ui/connect/connect_dialog.h"
+#include "ui/help/about_dialog.h"
+#include "ui/help/help_window.h"
+
+namespace tessera::desktop {
+namespace {
+
+struct Dress {
+  const char* name;
+  const char* language;
+  Appearance appearance;
+};
+constexpr std::array<Dress, 4> kDresses{{{"en-light", "en", Appearance::Light},
+                                         {"en-dark", "en", Appearance::Dark},
+                                         {"zh-light", "zh_CN", Appearance::Light},
+                                         {"zh-dark", "zh_CN", Appearance::Dark}}};
+
+// Texts that are longer than the place they have; what scrolls may be longer.
+QStringList clippedTexts(const QWidget& root) {
+  QStringList clipped;
+  for (const QWidget* widget : root.findChildren<QWidget*>()) {
+    if (!widget->isVisibleTo(&root) || widget->visibleRegion().isEmpty()) continue;
+    QString text;
+    bool whole = true;
+    if (const auto* label = qobject_cast<const QLabel*>(widget); label != nullptr && !label->text().isEmpty()) {
+      text = label->text();
+      const int width = label->contentsRect().width();
+      whole = label->wordWrap() ? label->heightForWidth(label->width()) <= label->height() + 1
+                                : width + 1 >= label->minimumSizeHint().width() - 2 * label->margin();
+    } else if (const auto* button = qobject_cast<const QAbstractButton*>(widget);
+               button != nullptr && !button->text().isEmpty() && button->inherits("QPushButton")) {
+      text = button->text();
+      whole = button->fontMetrics().horizontalAdvance(text) <= button->width() &&
+              button->height() + 1 >= button->fontMetrics().height();
+    }
+    if (!whole) clipped << QStringLiteral("%1 “%2”").arg(widget->objectName(), text);
+  }
+  return clipped;
+}
+
+class Pictures : public DesktopTest {
+protected:
+  void take(QWidget& widget, const QString& view, const Dress& dress) {
+    QApplication::processEvents();
+    const QStringList clipped = clippedTexts(widget);
+    EXPECT_TRUE(clipped.isEmpty()) << view.toStdString() << " " << dress.name << ": "
+                                   << clipped.join(QStringLiteral("; ")).toStdString();
+    const QPixmap picture = widget.grab();
+    EXPECT_GT(coloursIn(picture.toImage()), 8) << "an empty picture of " << view.toStdString();
+    const QString folder = qEnvironmentVariable("TESSERA_PICTURES");
+    if (folder.isEmpty()) return;
+    ASSERT_TRUE(QDir{}.mkpath(folder));
+    EXPECT_TRUE(picture.save(QDir{folder}.filePath(view + '-' + dress.name + QStringLiteral(".png"))));
+  }
+  static int coloursIn(const QImage& image) {
+    QSet<QRgb> seen;
+    for (int y = 0; y < image.height(); y += 7)
+      for (int x = 0; x < image.width(); x += 7) seen.insert(image.pixel(x, y));
+    return static_cast<int>(seen.size());
+  }
+  void wear(const Dress& dress) {
+    window->setLanguage(QString::fromLatin1(dress.language));
+    window->setAppearance(dress.appearance);
+    QApplication::processEvents();
+  }
+};
+
+TEST_F(Pictures, showTheStartPageWhole) {
+  ASSERT_NO_FATAL_FAILURE(openWindow(false));
+  for (const Dress& dress : kDresses) {
+    wear(dress);
+    take(*window, QStringLiteral("start"), dress);
+  }
+}
+
+TEST_F(Pictures, showADriveWhole) {
+  ASSERT_NO_FATAL_FAILURE(openWindow(false));
+  ASSERT_NO_FATAL_FAILURE(startDemo());
+  press(Qt::Key_F5);
+  ASSERT_TRUE(until([&] { return vehicle().progress > Metres{0.9}; })) << vehicle().waits.english();
+  for (const Dress& dress : kDresses) {
+    wear(dress);
+    for (const auto& [dock, view] :
+         {std::pair{"vehiclesDock", "drive"}, {"chartsDock", "charts"}, {"eventsDock", "events"}}) {
+      find<QDockWidget>(dock)->raise();
+      take(*window, QString::fromLatin1(view), dress);
+    }
+  }
+}
+
+TEST_F(Pictures, showTheRouteToolWhole) {
+  ASSERT_NO_FATAL_FAILURE(openWindow(false));
+  ASSERT_TRUE(window->files().openDemo());
+  for (const Dress& dress : kDresses) {
+    wear(dress);
+    trigger("drawRoute");
+    clickFloor(0.3, 0.3);
+    clickFloor(0.3, 1.5);
+    QTest::mouseMove(&window->canvas(), pixelOf(1.2, 1.2));
+    take(*window, QStringLiteral("route"), dress);
+    QTest::keyClick(&window->canvas(), Qt::Key_Escape);
+  }
+}
+
+TEST_F(Pictures, showTheDialoguesWhole) {
+  ASSERT_NO_FATAL_FAILURE(openWindow(false));
+  ASSERT_TRUE(window->files().openDemo());
+  for (const Dress& dress : kDresses) {
+    wear(dress);
+    ui::ConnectDialog connectDialog{window.get()};
+    connectDialog.show();
+    take(connectDialog, QStringLiteral("connect"), dress);
+    ui::AboutDialog about{window.get()};
+    about.show();
+    take(about, QStringLiteral("about"), dress);
+    ui::HelpWindow help{window.get()};
+    help.showTopic(QStringLiteral("routes"));
+    help.show();
+    take(help, QStringLiteral("help"), dress);
+  }
+}
+
+TEST_F(Pictures, showEachPageOfTheWizardWhole) {
+  ASSERT_NO_FATAL_FAILURE(openWindow(false));
+  ASSERT_NO_FATAL_FAILURE(startDemo());
+  for (const Dress& dress : kDresses) {
+    wear(dress);
+    ui::CommissionWizard wizard{window->session(), window->document(), vehicle().id, window.get()};
+    wizard.show();
+    for (const int id : wizard.pageIds()) {
+      while (wizard.currentId() != id && wizard.nextId() != -1) wizard.next();
+      take(wizard, QStringLiteral("wizard-%1").arg(id), dress);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tessera::desktop
