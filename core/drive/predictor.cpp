@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kStep = 0.02;           // s
 constexpr double kLongest = 5.0;         // s
+constexpr double kRest = 1e-4;           // m/s, rad/s, rad: no more worth rolling
 constexpr double kDoubtPerMetre = 0.04;  // of the way rolled: the vehicle never does quite what the model says
 
 double towards(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
@@ -43,6 +44,13 @@ VehicleState predict(const VehicleState& state, std::span<const TimedCommand> co
     const bool driven = next > 0 && t < commands[next - 1].until.value();
     if (next > 0) hold.heading = commands[next - 1].command.heading;
     const double error = turnBetween(Radians{heading}, hold.heading).value();
+    const bool rests = next == commands.size() && !driven && set == 0.0 && std::abs(s.speed.value()) < kRest &&
+                       std::abs(s.turnRate.value()) < kRest && std::abs(error) < kRest;
+    if (rests) {
+      s.speed = MetresPerSecond{};
+      s.turnRate = RadiansPerSecond{};
+      break;
+    }
     const double wanted = driven ? commands[next - 1].command.speed.value() * shareAt(error, ability) : 0.0;
     const double dt = std::min(kStep, end - t);
     const double part = share * dt / kStep;

@@ -15,6 +15,7 @@ constexpr Seconds kLongestExpiry{5.1};
 constexpr double kExpiryCycles = 3.0;
 constexpr Seconds kUnpredictedDelay{0.01};  // of the radio's delay, what the measured mean does not tell
 constexpr MetresPerSecond kStanding{0.005};
+constexpr RadiansPerSecond kStandingTurn{0.1};  // the compass is noisy
 
 }  // namespace
 
@@ -65,6 +66,17 @@ drive::VehicleState VehicleAgent::state() const {
           estimate_.located};
 }
 
+// A vehicle that stands and is told nothing is where it was; most of a large fleet is, most of the time.
+drive::VehicleState VehicleAgent::stateAt(Seconds until) const {
+  drive::VehicleState known = state();
+  const auto commands = history_.commands();
+  const bool told = !commands.empty() && commands.back().until > known.at;
+  if (told || abs(known.speed) > kStanding || abs(known.turnRate) > kStandingTurn)
+    return drive::predict(known, commands, until, ability_);
+  known.at = std::max(known.at, until);
+  return known;
+}
+
 link::Wish VehicleAgent::decide(Seconds now, const ChannelTiming& timing, EventLog& log) {
   const auto end = [&](Episode& episode, EventKind kind, Pattern over) {
     if (episode.notSeen(now) == Episode::Change::Ends)
@@ -84,7 +96,7 @@ link::Wish VehicleAgent::decide(Seconds now, const ChannelTiming& timing, EventL
 }
 
 void VehicleAgent::follow(Seconds now, const ChannelTiming& timing, EventLog& log) {
-  const drive::VehicleState expected = drive::predict(state(), history_.commands(), timing.effectiveAt, ability_);
+  const drive::VehicleState expected = stateAt(timing.effectiveAt);
   predicted_ = expected.pose;
   if (contact_ != Contact::Connected || !last_) return;
   if (task_ == Task::Jogging) wished_ = hand_.command(expected.pose.heading, timing.cycle);
@@ -187,7 +199,7 @@ VehicleView VehicleAgent::view(Seconds now, const PortView& port, const link::Li
   v.task = task_;
   v.firmware = firmware_;
   v.located = estimate_.located && last_.has_value();
-  v.pose = last_ ? drive::predict(state(), history_.commands(), now, ability_).pose : estimate_.pose;
+  v.pose = last_ ? stateAt(now).pose : estimate_.pose;
   v.predicted = predicted_;
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)

@@ -23,7 +23,9 @@ inline std::shared_ptr<const floor::SiteMap> siteMap(const std::string& file) {
 class SupervisorRig {
 public:
   explicit SupervisorRig(const std::string& site = "paper.tessera.json", FakeAir::Options options = defaults())
-      : map{siteMap(site)}, supervisor{supervisor::Supervisor::create(map, {}).value()} {
+      : SupervisorRig{siteMap(site), options} {}
+  explicit SupervisorRig(std::shared_ptr<const floor::SiteMap> site, FakeAir::Options options = defaults())
+      : map{std::move(site)}, supervisor{supervisor::Supervisor::create(map, {}).value()} {
     std::vector<FakeVehicle*> fakes;
     for (const floor::VehicleSetup& v : map->site().vehicles) {
       vehicles.push_back(std::make_unique<DrivenVehicle>(map, v.id, options.seed + v.id.value));
