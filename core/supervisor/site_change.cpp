@@ -4,9 +4,10 @@
 
 namespace tessera::supervisor {
 
-bool sameFleet(const floor::Site& before, const floor::Site& after) {
-  if (before.radio != after.radio || before.vehicles.size() != after.vehicles.size()) return false;
-  return std::all_of(before.vehicles.begin(), before.vehicles.end(), [&](floor::VehicleSetup was) {
+bool sameFleet(const floor::RadioSetup& radio, const std::vector<floor::VehicleSetup>& vehicles,
+               const floor::Site& after) {
+  if (radio != after.radio || vehicles.size() != after.vehicles.size()) return false;
+  return std::all_of(vehicles.begin(), vehicles.end(), [&](floor::VehicleSetup was) {
     const auto is = std::find_if(after.vehicles.begin(), after.vehicles.end(),
                                  [&](const floor::VehicleSetup& v) { return v.id == was.id; });
     if (is == after.vehicles.end()) return false;

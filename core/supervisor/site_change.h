@@ -7,7 +7,8 @@ namespace tessera::supervisor {
 
 /// Whether supervision can go on with the new site: the same radio and the same vehicles. Their names and start places
 /// may differ.
-[[nodiscard]] bool sameFleet(const floor::Site& before, const floor::Site& after);
+[[nodiscard]] bool sameFleet(const floor::RadioSetup& radio, const std::vector<floor::VehicleSetup>& vehicles,
+                             const floor::Site& after);
 
 /// Whether tags lie where they lay, and north is where it was, so that locators need not begin anew.
 [[nodiscard]] bool sameFloor(const floor::SiteMap& before, const floor::SiteMap& after);

@@ -177,13 +177,13 @@ void Supervisor::Impl::carryOut(const Order& order) {
 
 void Supervisor::Impl::useSite(const UseSite& order) {
   // A vehicle that was paired meanwhile may stand in the site with its new key.
-  floor::Site before = site->site();
-  for (floor::VehicleSetup& was : before.vehicles) {
+  std::vector<floor::VehicleSetup> before = site->site().vehicles;
+  for (floor::VehicleSetup& was : before) {
     const auto* now = order.map ? order.map->vehicle(was.id) : nullptr;
     const auto* peer = channel.peer(was.id);
     if (now != nullptr && peer != nullptr && now->key == peer->session.longTermKey()) was.key = now->key;
   }
-  if (!order.map || !sameFleet(before, order.map->site())) {
+  if (!order.map || !sameFleet(site->site().radio, before, order.map->site())) {
     log.tell(Severity::Warning, EventKind::OrderRefused, std::nullopt,
              phrase("Core",
                     "The site's vehicles or its radio have changed: supervision must be restarted to take them over."));
