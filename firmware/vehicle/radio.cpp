@@ -29,8 +29,12 @@ void Radio::start(const Settings& settings, Micros now) {
   wanted_ = radioRegisters(settings);
   baud_ = kBauds[settings.get(wire::Parameter::RadioBaud)];
   silence_ = std::max<Micros>(20ms, Micros{50'000'000 / baud_});
-  tries_ = 0;
   faulty_ = false;
+  begin(now);
+}
+
+void Radio::begin(Micros now) {
+  tries_ = 0;
   board_.setBaud(Uart::Radio, kConfigureBaud);
   board_.setRadioMode(RadioMode::Configure);
   go(State::Enter, now);
@@ -65,7 +69,9 @@ void Radio::configure(Micros now) {
       go(State::Settle, now);
       break;
     case State::Settle:
-      if (idleFor(kQuiet, now)) go(State::Talking, now);
+      if (!idleFor(kQuiet, now)) break;
+      lastFrame_ = now;
+      go(State::Talking, now);
       break;
     case State::Off:
     case State::Talking:
@@ -89,6 +95,7 @@ void Radio::takeAnswer(Micros now) {
   if (answered_ < answer_.size() && now - entered_ < kAnswerPatience) return;
   const bool whole = answered_ == answer_.size();
   if (whole && answer_ == wanted_) {
+    faulty_ = false;
     go(State::Leave, now);
   } else if (++tries_ > kTries) {
     faulty_ = true;

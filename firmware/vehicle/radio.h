@@ -20,7 +20,8 @@ public:
   explicit Radio(Board& board) : board_{board} {}
 
   /// Begins to configure the module: mode 3, 9600 baud, read, compare, write where different, read again. When it
-  /// does not take its parameters three times over, faulty() stays true and the radio is used all the same.
+  /// does not take its parameters three times over, faulty() stays true and the radio is used all the same; while no
+  /// frame is heard, as it may be tuned elsewhere, all this is tried again each five seconds.
   void start(const Settings& settings, Micros now);
 
   /// Calls sink(const wire::Frame&) for each whole frame that has come in. 20 ms of silence (or five byte times, if
@@ -32,13 +33,18 @@ public:
       return;
     }
     std::array<std::uint8_t, 64> buffer{};
+    const auto hear = [&](const wire::Frame& frame) {
+      lastFrame_ = now;
+      sink(frame);
+    };
     if (const std::size_t n = board_.read(Uart::Radio, buffer); n > 0) {
       lastByte_ = now;
-      decoder_.feed(wire::Bytes{buffer}.first(n), sink);
+      decoder_.feed(wire::Bytes{buffer}.first(n), hear);
     } else if (decoder_.pending() && now - lastByte_ > silence_) {
-      decoder_.flush(sink);
+      decoder_.flush(hear);
     }
     pushOut();
+    if (faulty_ && now - lastFrame_ > kDeafFor) begin(now);
   }
 
   /// True when a frame may be handed over now: configured, the module idle, nothing under way.
@@ -54,6 +60,8 @@ public:
 
 private:
   enum class State : std::uint8_t { Off, Enter, Answer, Write, Leave, Settle, Talking };
+  static constexpr Micros kDeafFor = 5s;
+  void begin(Micros now);
   void configure(Micros now);
   void go(State next, Micros now);
   void ask(Micros now);
@@ -73,6 +81,7 @@ private:
   Micros entered_{0};
   Micros busyUntil_{0};
   Micros lastByte_{0};
+  Micros lastFrame_{0};  ///< or when it began to listen
   Micros silence_{20ms};
   std::uint32_t baud_ = 9600;
   int tries_ = 0;

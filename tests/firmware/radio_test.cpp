@@ -49,6 +49,26 @@ TEST(Radio, leavesRegistersAloneThatAreRight) {
   EXPECT_EQ(bench.board.e32.writes, 0);
 }
 
+TEST(Radio, triesAgainWithAModuleThatTookNoParametersWhileItHearsNothing) {
+  RadioBench bench;
+  bench.board.e32.present = false;
+  bench.start();
+  bench.run(2'000'000);
+  EXPECT_TRUE(bench.radio.faulty());
+  bench.board.e32.present = true;
+  for (int second = 0; second < 12; ++second) {
+    bench.arrive(frameWith({1, 2, 3}));
+    bench.run(1'000'000);
+  }
+  EXPECT_TRUE(bench.radio.faulty()) << "it is heard: let it talk";
+  EXPECT_EQ(bench.payloads.size(), 12U);
+  bench.run(6'000'000);
+  EXPECT_FALSE(bench.radio.faulty());
+  EXPECT_TRUE(bench.radio.talking());
+  EXPECT_EQ(bench.board.e32.registers, radioRegisters({}));
+  EXPECT_EQ(bench.board.baud[0], 115200U);
+}
+
 TEST(Radio, saysThatAModuleTakesNoParametersButTalksAllTheSame) {
   for (const bool present : {true, false}) {
     RadioBench bench;

@@ -30,7 +30,7 @@ protected:
   void drive() {
     begin();
     supervision = std::make_unique<Supervision>(kPaper, world->port());
-    ASSERT_TRUE(supervision->drive(kSpeed, Metres{0.2})) << supervision->sentences();
+    ASSERT_TRUE(supervision->drive(kSpeed, Metres{0.2})) << supervision->sentences() << world->program().errors();
   }
   /// Of the command that holds at the moment.
   [[nodiscard]] Seconds expiry() const {
