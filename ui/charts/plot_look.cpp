@@ -30,9 +30,7 @@ void dressLegend(QCPLegend& legend, const PlotColours& colours, const QFont& fon
   legend.setFont(font);
   legend.setTextColor(colours.ink);
   legend.setBorderPen(Qt::NoPen);
-  QColor veil = colours.back;
-  veil.setAlphaF(0.8F);
-  legend.setBrush(veil);
+  legend.setBrush(Qt::NoBrush);
   for (int i = 0; i < legend.itemCount(); ++i) {
     legend.item(i)->setFont(font);  // each keeps its own
     legend.item(i)->setTextColor(colours.ink);

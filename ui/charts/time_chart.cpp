@@ -25,6 +25,7 @@ TimeChart::TimeChart(QWidget* parent)
       ticker_{new AgoTicker} {
   setObjectName(QStringLiteral("timeChart"));
   setNoAntialiasingOnDrag(true);
+  setAutoAddPlottableToLegend(false);
   plotLayout()->clear();
   // Titles lie above the axes: beside them they would be cut off where the panel is low.
   auto* heading = new QCPLayoutGrid;
@@ -36,6 +37,7 @@ TimeChart::TimeChart(QWidget* parent)
   heading->addElement(0, 0, paceTitle_);
   heading->addElement(0, 1, paceLegend_);
   heading->setColumnStretchFactor(1, 0.001);
+  heading->setMargins(QMargins{0, 0, 12, 0});
   for (const int row : {0, 2}) plotLayout()->setRowStretchFactor(row, 0.001);
   for (QCPTextElement* title : {errorTitle_, paceTitle_}) {
     title->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);

@@ -98,12 +98,15 @@ void TrackChart::fitToScale() {
   if (byHand_) return yAxis->setScaleRatio(xAxis, 1.0);
   const QSize room = axisRect()->size();
   if (room.width() <= 0 || room.height() <= 0) return;
-  const QCPRange before = xAxis->range();
+  const double before = xAxis->range().size();
+  const double beforeUp = yAxis->range().size();
   const double scale = std::max(wantedX_.size() / room.width(), wantedY_.size() / room.height());
   xAxis->setRange(wantedX_.center() - scale * room.width() / 2, wantedX_.center() + scale * room.width() / 2);
   yAxis->setRange(wantedY_.center() - scale * room.height() / 2, wantedY_.center() + scale * room.height() / 2);
   // The ticks of this drawing were chosen before; with quite another range they are drawn once more.
-  if (std::abs(before.size() - xAxis->range().size()) > 0.01 * before.size()) replot(QCustomPlot::rpQueuedReplot);
+  const bool other = std::abs(before - xAxis->range().size()) > 0.01 * before ||
+                     std::abs(beforeUp - yAxis->range().size()) > 0.01 * beforeUp;
+  if (other) replot(QCustomPlot::rpQueuedReplot);
 }
 
 void TrackChart::layOutFor(const QSize& size) {

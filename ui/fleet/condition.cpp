@@ -178,7 +178,7 @@ QString situation(const supervisor::Snapshot* snapshot, const supervisor::Vehicl
     return port.isEmpty() ? W::tr("There is no connection to the vehicles. Connect first.") : port;
   }
   if (condition == Condition::Faulted)
-    return W::tr("%1 is held by a fault: %2. Remove the cause, then clear the fault.")
+    return W::tr("%1 is held by a fault (%2). Remove the cause, then clear the fault.")
         .arg(name, faultTexts(vehicle->faults).join(W::tr(", ", "between faults")));
   if (!vehicle->waits.empty()) return text(vehicle->waits);
   if (const QString next = nextStep(condition, *vehicle, name); !next.isEmpty()) return next;

@@ -186,7 +186,7 @@ void RunPanel::dress() {
   const int side = fontMetrics().height() * 5 / 4;
   const qreal ratio = devicePixelRatioF();
   const QColor colour = vehicleColour(document_.site(), setup()->id, palette());
-  dot_->setPixmap(dotIcon(colour, side, ratio).pixmap(QSize{side, side}, ratio));
+  dot_->setPixmap(dotIcon(colour, colour, side, ratio).pixmap(QSize{side, side}, ratio));
   name_->setText(name());
   name_->setFont(larger(font(), 1.25));
   state_->setFont(larger(font(), 1.1));

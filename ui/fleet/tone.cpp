@@ -60,14 +60,15 @@ QIcon tintedIcon(const QString& name, const QColor& colour, int side, qreal pixe
   });
 }
 
-QIcon dotIcon(const QColor& colour, int side, qreal pixelRatio) {
-  return keptIcon(keyOf(QStringLiteral("dot"), colour, side, pixelRatio), side, pixelRatio, [&](QPainter& painter) {
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(colour);
-    const qreal edge = side / 5.0;
-    painter.drawEllipse(QRectF{edge, edge, side - 2 * edge, side - 2 * edge});
-  });
+QIcon dotIcon(const QColor& colour, const QColor& rim, int side, qreal pixelRatio) {
+  return keptIcon(keyOf(QStringLiteral("dot") + rim.name(), colour, side, pixelRatio), side, pixelRatio,
+                  [&](QPainter& painter) {
+                    painter.setRenderHint(QPainter::Antialiasing);
+                    painter.setPen(QPen{rim, 1});
+                    painter.setBrush(colour);
+                    const qreal edge = side / 5.0;
+                    painter.drawEllipse(QRectF{edge, edge, side - 2 * edge, side - 2 * edge});
+                  });
 }
 
 }  // namespace tessera::ui

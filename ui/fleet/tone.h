@@ -17,7 +17,7 @@ enum class Tone { Plain, Quiet, Good, Busy, Warning, Bad };
 /// The icon of that name in one colour, whatever mode it is drawn in. Kept, as drawing it anew costs a hundred times
 /// more.
 [[nodiscard]] QIcon tintedIcon(const QString& name, const QColor& colour, int side, qreal pixelRatio);
-/// A filled disc, the sign of a vehicle.
-[[nodiscard]] QIcon dotIcon(const QColor& colour, int side, qreal pixelRatio);
+/// A filled disc, the sign of a vehicle, with a rim that keeps it from sinking into a ground of its own colour.
+[[nodiscard]] QIcon dotIcon(const QColor& colour, const QColor& rim, int side, qreal pixelRatio);
 
 }  // namespace tessera::ui

@@ -27,7 +27,8 @@ void VehicleDelegate::initStyleOption(QStyleOptionViewItem* option, const QModel
   const qreal ratio = option->widget == nullptr ? 1.0 : option->widget->devicePixelRatioF();
   const int side = iconSide(*option);
   if (const QVariant dot = index.data(DotRole); dot.isValid()) {
-    option->icon = dotIcon(dot.value<QColor>(), side, ratio);
+    const QColor rim = isLit(*option) ? option->palette.color(QPalette::HighlightedText) : dot.value<QColor>();
+    option->icon = dotIcon(dot.value<QColor>(), rim, side, ratio);
   } else if (const QString name = index.data(IconRole).toString(); !name.isEmpty()) {
     option->icon = tintedIcon(name, ink, side, ratio);
   } else {
