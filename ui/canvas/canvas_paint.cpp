@@ -7,11 +7,12 @@
 #include "ui/base/vehicle_colour.h"
 #include "ui/canvas/floor_canvas.h"
 #include "ui/canvas/furniture.h"
-#include "ui/canvas/route_painter.h"
 
 namespace tessera::ui {
 
-FloorScene FloorCanvas::scene() const { return {map_, index_, mip_, layers_, route_, font()}; }
+FloorScene FloorCanvas::scene() const {
+  return {map_, index_, mip_, layers_, route_, !(tool_ && tool_->drawsChosenRoute()), font()};
+}
 
 std::vector<VehicleMark> FloorCanvas::marks() const {
   std::vector<VehicleMark> marks;
@@ -47,9 +48,6 @@ void FloorCanvas::paintLive(QPainter& painter, const QRegion& region) {
   const Seconds now = fleet_.snapshot() ? fleet_.snapshot()->time + sinceSnapshot() : Seconds{};
   const std::vector<VehicleMark> all = marks();
   painter.setRenderHint(QPainter::Antialiasing);
-  const floor::Route* chosen = route_.isEmpty() ? nullptr : map_->route(route_.toStdString());
-  if (chosen != nullptr && layers_.routes && !(tool_ && tool_->drawsChosenRoute()))
-    paintRoute(painter, view_, theme_, *chosen, RouteLook::Chosen);
   if (layers_.trails) {
     for (const VehicleMark& mark : all) {
       if (const Trail* trail = fleet_.trail(mark.vehicle->id))

@@ -146,7 +146,7 @@ void FloorCanvas::setTool(CanvasTool* tool) {
     connect(tool_, &CanvasTool::hintChanged, this, &FloorCanvas::hintChanged);
   }
   refreshCursor();
-  update();
+  redrawFloor();
   Q_EMIT toolChanged(tool_);
   Q_EMIT hintChanged(tool_ ? tool_->hint() : QString{});
 }

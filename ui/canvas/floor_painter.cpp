@@ -127,10 +127,15 @@ void paintFloor(QImage& image, const View& view, const FloorScene& scene, const 
   if (near && scene.layers.tags) stampTags(image, view, scene, theme, box, clip);
   if (!scene.layers.routes || !scene.map) return;
   begin(painter);
+  const floor::Route* chosen = nullptr;
   for (const floor::Route& route : scene.map->site().routes) {
-    if (QString::fromStdString(route.name) != scene.liveRoute)
+    if (QString::fromStdString(route.name) == scene.chosenRoute) {
+      chosen = &route;
+    } else {
       paintRoute(painter, view, theme, route, RouteLook::Quiet);
+    }
   }
+  if (chosen != nullptr && scene.withChosen) paintRoute(painter, view, theme, *chosen, RouteLook::Chosen);
   painter.end();
 }
 

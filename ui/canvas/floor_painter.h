@@ -19,7 +19,8 @@ struct FloorScene {
   std::shared_ptr<const FloorIndex> index;
   std::shared_ptr<const FloorMip> mip;
   CanvasLayers layers;
-  QString liveRoute;  ///< drawn elsewhere, as it is chosen
+  QString chosenRoute;
+  bool withChosen = true;  ///< false: it is drawn elsewhere, as it is being changed
   QFont font;
 };
 

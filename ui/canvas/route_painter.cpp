@@ -103,17 +103,23 @@ void paintRoute(QPainter& painter, const View& view, const CanvasTheme& theme, c
   const bool chosen = look == RouteLook::Chosen;
   const QColor colour = chosen ? theme.selectedRoute : theme.route;
   const double width = chosen ? 4.0 : 2.5;
-  const QRectF around = QRectF{QPointF{}, view.size()}.adjusted(-20, -20, 20, 20);
+  // Of a strip that comes into view only what lies in it.
+  const QRectF window{QPointF{}, view.size()};
+  const QRectF drawn = painter.hasClipping() ? painter.clipBoundingRect().intersected(window) : window;
+  const QRectF around = drawn.adjusted(-20, -20, 20, 20);
   SiteBox box;
   for (const Point& p : route.vertices) box.add(p);
-  if (!box.touches(view.visible(220.0))) return;
+  SiteBox seenBox;
+  seenBox.add(view.toSite(drawn.topLeft()));
+  seenBox.add(view.toSite(drawn.bottomRight()));
+  if (!box.touches(seenBox.grown(view.metres(220.0)))) return;
   painter.setRenderHint(QPainter::Antialiasing);
   std::vector<QLineF> legs;
   for (std::size_t n = 1; n < route.vertices.size(); ++n)
     legs.emplace_back(view.toPixel(route.vertices[n - 1]), view.toPixel(route.vertices[n]));
   const QColor casing = mixedColour(theme.tile, theme.halo, chosen ? 0.9 : 0.6);
   for (const auto& [pen, breadth] : {std::pair{casing, width + 2.5}, std::pair{colour, width}}) {
-    painter.setPen(QPen{pen, breadth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin});
+    painter.setPen(QPen{pen, breadth, Qt::SolidLine, Qt::SquareCap, Qt::BevelJoin});
     for (const QLineF& leg : legs) {
       if (const auto seen = clipped(leg, around)) strokeLine(painter, *seen);
     }

@@ -6,12 +6,14 @@
 namespace tessera::ui {
 namespace {
 
-constexpr double kPiece = 26.0;  // pixels; a slanting line has up to three spans for each
+constexpr double kPiece = 26.0;         // pixels; a slanting line has up to four spans for each
+constexpr double kLevelPiece = 1000.0;  // a level one has a few in all
 
 }  // namespace
 
 void strokeLine(QPainter& painter, const QLineF& line) {
-  const int pieces = std::max(1, static_cast<int>(std::ceil(line.length() / kPiece)));
+  const double piece = line.dy() == 0.0 ? kLevelPiece : kPiece;
+  const int pieces = std::max(1, static_cast<int>(std::ceil(line.length() / piece)));
   QPointF from = line.p1();
   for (int n = 1; n <= pieces; ++n) {
     const QPointF to = line.pointAt(static_cast<double>(n) / pieces);

@@ -8,7 +8,8 @@
 
 namespace tessera::ui {
 
-/// With the painter's pen, which must be opaque and have round caps: the pieces overlap.
+/// With the painter's pen, which must be opaque and have square caps: the pieces overlap, and round ones cost much
+/// more.
 void strokeLine(QPainter& painter, const QLineF& line);
 void strokePolyline(QPainter& painter, const QPolygonF& line);
 

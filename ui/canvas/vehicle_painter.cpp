@@ -124,7 +124,7 @@ void paintTrail(QPainter& painter, const View& view, const Trail& trail, Seconds
   for (const Trail::Piece& piece : trail.pieces(view, now, kTrailBands)) {
     const QRectF box = piece.line.boundingRect();
     if (!box.adjusted(-2, -2, 2, 2).intersects(window)) continue;
-    painter.setPen(QPen{mixedColour(under, colour, 0.15 + 0.7 * (1.0 - piece.age)), 2.0, Qt::SolidLine, Qt::RoundCap,
+    painter.setPen(QPen{mixedColour(under, colour, 0.15 + 0.7 * (1.0 - piece.age)), 2.0, Qt::SolidLine, Qt::SquareCap,
                         Qt::BevelJoin});
     strokePolyline(painter, piece.line);
   }

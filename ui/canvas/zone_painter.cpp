@@ -103,6 +103,10 @@ void paintZones(QPainter& painter, const View& view, const std::vector<floor::Zo
     for (const Point& p : zone.outline) shape << view.toPixel(p);
     shape = clipped(shape, around);
     if (shape.isEmpty()) continue;
+    // The name may stand a line above.
+    if (painter.hasClipping() &&
+        !shape.boundingRect().adjusted(-40, -40, 40, 40).intersects(painter.clipBoundingRect()))
+      continue;
     const QColor colour = theme.zone(zone.kind);
     QColor fill = colour;
     fill.setAlpha(zone.kind == floor::ZoneKind::Running ? 0 : (theme.dark ? 34 : 26));
