@@ -1,5 +1,5 @@
 // What keeping costs: sites of some sizes, saved anew, with one route changed, and loaded; the journal, with the log
-// (WAL) and with a rollback journal. The figures of docs/decisions/0008-storage.md come from here.
+// (WAL) and with a rollback journal. The figures of docs/decisions/0009-storage.md come from here.
 #include <benchmark/benchmark.h>
 
 #include <QCoreApplication>
@@ -9,6 +9,7 @@
 
 #include "store/journal.h"
 #include "store/site_store.h"
+#include "store/transaction.h"
 
 namespace {
 
@@ -69,6 +70,7 @@ void saveNewSite(benchmark::State& state) {
   Place place{state.range(1) != 0};
   int key = 0;
   for (auto _ : state) must(store::SiteStore{*place.database}.save(std::to_string(key++), site, 1, true));
+  place.database.reset();  // brings the log into the file
   state.counters["MB"] = static_cast<double>(std::filesystem::file_size(place.file())) / 1e6 / key;
 }
 BENCHMARK(saveNewSite)
@@ -76,6 +78,43 @@ BENCHMARK(saveNewSite)
     ->ArgNames({"tags", "log"})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+
+// A row for each tag, or one for each tile with the tags' UIDs in a row of bytes: what was weighed.
+void insertTags(benchmark::State& state) {
+  const floor::Site site = siteOf(1'000'000);
+  const bool packed = state.range(0) != 0;
+  Place place{true};
+  {
+    store::Transaction making{*place.database, store::Transaction::Kind::Write};
+    making.run(
+        QStringLiteral("CREATE TABLE t(site INTEGER, tile INTEGER, nr INTEGER, uid BLOB,"
+                       " PRIMARY KEY(site, tile, nr)) WITHOUT ROWID"));
+    must(making.commit());
+  }
+  const auto bytesOf = [](const floor::TagUid& uid) {
+    return QByteArray{reinterpret_cast<const char*>(uid.bytes().data()), static_cast<qsizetype>(uid.bytes().size())};
+  };
+  qint64 key = 0;
+  for (auto _ : state) {
+    store::Transaction writing{*place.database, store::Transaction::Kind::Write};
+    {
+      store::Statement insert{writing, QStringLiteral("INSERT INTO t VALUES(?,?,?,?)")};
+      for (std::size_t tile = 0; tile < site.tiles.size(); ++tile) {
+        QByteArray all;
+        for (std::size_t n = 0; n < site.tiles[tile].uids.size(); ++n) {
+          if (packed)
+            all += bytesOf(site.tiles[tile].uids[n]);
+          else
+            insert.run({key, static_cast<qint64>(tile), static_cast<qint64>(n), bytesOf(site.tiles[tile].uids[n])});
+        }
+        if (packed) insert.run({key, static_cast<qint64>(tile), 0, all});
+      }
+    }
+    must(writing.commit());
+    ++key;
+  }
+}
+BENCHMARK(insertTags)->Arg(0)->Arg(1)->ArgName("packed")->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void saveOneRouteChanged(benchmark::State& state) {
   floor::Site site = siteOf(static_cast<std::size_t>(state.range(0)));

@@ -40,15 +40,16 @@ export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 LC_ALL=C.UTF-8
 umask 022
 packages=$PWD/build/packages
 mkdir -p "$packages"
+# Without the dependency cpack would first build everything; what is packed is built below.
 [ -f "$build/CMakeCache.txt" ] ||
-  cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF -DTESSERA_ARM_FIRMWARE=OFF
+  cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF -DTESSERA_ARM_FIRMWARE=OFF \
+    -DCMAKE_SKIP_INSTALL_ALL_DEPENDENCY=ON
 nice cmake --build "$build" -j "${TESSERA_JOBS:-$(nproc)}" \
   --target tessera tessera-cli tessera-world tessera_installed_files
 
 for kind in "${kinds[@]}"; do
   case $kind in
-    # With a preinstall step cpack would build everything; what is needed is built.
-    deb) (cd "$build" && cpack -G DEB -D CPACK_CMAKE_GENERATOR= -B "$packages") ;;
+    deb) (cd "$build" && cpack -G DEB -B "$packages" && rm -rf "$packages/_CPack_Packages") ;;
     tar) installer/relocatable.sh "$build" "$packages" ;;
   esac
 done

@@ -43,8 +43,14 @@ fi
 for library in "${libraries[@]}"; do
   install -m 644 "$library" "$root/lib/$(basename "$library")"
   # Their licences come along.
-  package=$(dpkg -S "$(readlink -f "$library")" 2>/dev/null | head -n 1 | cut -d: -f1)
-  [ -z "$package" ] || cp -L "/usr/share/doc/$package/copyright" "$root/share/doc/tessera/libraries/$package" 2>/dev/null || true
+  # (dpkg knows some files by the path that they had before /lib became a link to /usr/lib.)
+  file=$(readlink -f "$library")
+  package=$({ dpkg -S "$file" || dpkg -S "${file#/usr}"; } 2>/dev/null | head -n 1 | cut -d: -f1) || true
+  if [ -n "$package" ]; then
+    cp -L "/usr/share/doc/$package/copyright" "$root/share/doc/tessera/libraries/$package"
+  else
+    echo "relocatable.sh: no package owns $library; its licence is not included" >&2
+  fi
 done
 strip --strip-unneeded "$root"/lib/*.so* 2>/dev/null || true
 
