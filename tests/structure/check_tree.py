@@ -143,7 +143,7 @@ class Tree:
                 _, folder, deps = targets.setdefault(name, (path, self.folder_of(path.parent / "x", plan), []))
                 deps += [w.removeprefix("tessera_") for w in words if w.startswith("tessera_")]
         return {n: (p, f, [d for d in deps if d != "options"]) for n, (p, f, deps) in targets.items()
-                if self.name(p).split("/")[0] not in ("tests", "bench")}
+                if self.name(p).split("/")[0] not in ("tests", "bench", "installer")}
 
     def check_libraries(self, allowed):
         """{folder: folders that its libraries' DEPS reach}; holds DEPS to the plan."""
