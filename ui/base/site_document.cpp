@@ -62,6 +62,10 @@ Result<void> SiteDocument::edit(const QString& step, const std::function<void(fl
   return {};
 }
 
+void SiteDocument::restore(const QString& step, std::shared_ptr<const floor::SiteMap> map) {
+  undo_.push(new EditSite{*this, step, std::move(map), 0});
+}
+
 void SiteDocument::show(std::shared_ptr<const floor::SiteMap> map) {
   map_ = std::move(map);
   Q_EMIT changed();

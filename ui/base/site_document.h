@@ -37,6 +37,9 @@ public:
   /// Error: the site would contradict itself (two routes of one name, ...); nothing has changed then.
   Result<void> edit(const QString& step, const std::function<void(floor::Site&)>& change, int mergeKey = 0);
 
+  /// The whole site becomes another one, as one step.
+  void restore(const QString& step, std::shared_ptr<const floor::SiteMap> map);
+
 Q_SIGNALS:
   /// Something in the site is different: opened, edited, undone or redone.
   void changed();
