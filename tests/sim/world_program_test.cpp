@@ -70,12 +70,15 @@ TEST(WorldOptions, surviveTheWayThroughTheWordsOfACall) {
                                        "0.02",
                                        "--replay",
                                        "0.03",
+                                       "--fresh",
+                                       "3",
                                        "--truth",
                                        "t.csv",
                                        "--eeprom-dir",
                                        "e"};
   const WorldOptions once = parsed(words);
   EXPECT_EQ(once.vehicles, (std::vector<unsigned>{1, 3}));
+  EXPECT_EQ(once.fresh, std::vector<unsigned>{3});
   EXPECT_EQ(once.kind, Kind::Qemu);
   EXPECT_EQ(once.seed, 42U);
   EXPECT_EQ(once.airRate, 9600.0);
@@ -237,6 +240,12 @@ TEST_F(CommandsTest, doWhatTheySay) {
   EXPECT_TRUE(done("corrupt 2"));
   EXPECT_EQ(obey("corrupt 2 from 1", world(), *this), "a byte will change in each of the next 2 packets of vehicle 1");
   EXPECT_TRUE(done("drop 1"));
+  EXPECT_TRUE(done("jumpers 1 1"));
+  world().advance(world().time() + Seconds{1});
+  EXPECT_EQ(world().hostRadio().mode(), firmware::RadioMode::Configure);
+  EXPECT_TRUE(done("jumpers 0 0"));
+  world().advance(world().time() + Seconds{1});
+  EXPECT_EQ(world().hostRadio().mode(), firmware::RadioMode::Normal);
   EXPECT_TRUE(done("where 1"));
   EXPECT_TRUE(done(""));
   EXPECT_FALSE(ended_);
@@ -249,7 +258,8 @@ TEST_F(CommandsTest, refuseWhatMakesNoSenseWithASentence) {
       "kill\nkill 2\nkill 1 1\nkill -1\nkill 1e9\nstart x\npush 1 2 3\npush 1 nan 0 0\npush 1 0 0 inf\n"
       "obstacle 1 2\nobstacle 1 2 -1\nnoise\nnoise 0\nnoise 1.5\nnoise 1e12\ninject\ninject a\ninject zz\n"
       "replay 1\ndrop\ncorrupt x\nranger 1 2 off\nranger 1 0\nranger 2 0 off\nranger 1 0 away\nreplay 1 0\n"
-      "corrupt 1 from 2\ncorrupt 1 from\ncorrupt 1 1\nwhere\npull now\ndance\nquit quit\n"};
+      "corrupt 1 from 2\ncorrupt 1 from\ncorrupt 1 1\njumpers\njumpers 1\njumpers 2 0\njumpers 1 1 1\nwhere\npull "
+      "now\ndance\nquit quit\n"};
   for (std::string line; std::getline(lines, line);) {
     const auto answer = obey(line, world(), *this);
     ASSERT_FALSE(answer) << line;

@@ -8,6 +8,7 @@
 #include "firmware/vehicle/radio.h"
 #include "firmware/vehicle/settings.h"
 #include "wire/messages.h"
+#include "wire/pairing.h"
 #include "wire/security.h"
 
 namespace tessera::sim {
@@ -72,13 +73,13 @@ protected:
     const std::size_t n = wire::encode(wire::Hello{nonce, 0}, body);
     const wire::FrameHeader header{kAddress, wire::kHostAddress, static_cast<std::uint8_t>(wire::MessageType::Hello),
                                    0};
-    const std::size_t size = wire::sealFrame(kKey, 0, header, std::span{body}.first(n), frame);
+    const std::size_t size = wire::sealFrame(key_, 0, header, std::span{body}.first(n), frame);
     const auto payload = exchange(std::span{frame}.first(size), wire::MessageType::Identity);
     const auto sealed = wire::splitMac(payload);
     const auto identity = sealed ? wire::decodeIdentity(sealed->body) : std::nullopt;
     EXPECT_TRUE(identity);
     if (!identity) return {};
-    session_ = wire::deriveSessionKey(kKey, {nonce, identity->boot, identity->hello});
+    session_ = wire::deriveSessionKey(key_, {nonce, identity->boot, identity->hello});
     return *identity;
   }
 
@@ -100,6 +101,23 @@ protected:
     return report.value_or(wire::Report{});
   }
 
+  /// Gives it another key. True: it answers under that key, which is used from now on.
+  bool pair(const wire::Key& fresh, const wire::Identity& identity) {
+    std::array<std::uint8_t, wire::kMaxPayload> body{};
+    std::array<std::uint8_t, wire::kMaxFrame> frame{};
+    const wire::PairingNonce nonce{{identity.hostNonce, identity.boot, identity.hello}, ++counter_};
+    const std::size_t n = wire::encode(wire::makePair(key_, fresh, nonce), body);
+    const wire::FrameHeader header{kAddress, wire::kHostAddress, static_cast<std::uint8_t>(wire::MessageType::Pair), 0};
+    const std::size_t size = wire::sealFrame(session_, counter_, header, std::span{body}.first(n), frame);
+    const auto payload = exchange(std::span{frame}.first(size), wire::MessageType::Paired);
+    const auto sealed = wire::splitMac(payload);
+    const auto paired = sealed ? wire::decodePaired(sealed->body) : std::nullopt;
+    const wire::FrameHeader back{wire::kHostAddress, kAddress, static_cast<std::uint8_t>(wire::MessageType::Paired), 0};
+    key_ = fresh;
+    return paired == wire::Paired{identity.hostNonce, nonce.counter, wire::Outcome::Done} &&
+           wire::sameMac(wire::macOf(fresh, 0, back, sealed->body), sealed->mac);
+  }
+
   std::int32_t get(wire::Parameter parameter) {
     std::array<std::uint8_t, wire::kMaxPayload> body{};
     std::array<std::uint8_t, wire::kMaxFrame> frame{};
@@ -116,6 +134,7 @@ protected:
 
   firmware::Settings settings_;
   wire::FrameDecoder decoder_;
+  wire::Key key_ = kKey;
   wire::Key session_{};
   std::uint32_t counter_ = 0;
 };
@@ -130,6 +149,16 @@ TEST_F(QemuVehicle, tellsWhoItIsAndCountsItsStarts) {
   host_.kill();
   startVehicle();
   EXPECT_EQ(meet(5).boot, identity.boot + 1) << "the EEPROM keeps the count";
+}
+
+TEST_F(QemuVehicle, takesAnotherKeyAndHasItAfterAStart) {
+  startVehicle();
+  const wire::Identity identity = meet(77);
+  command(wire::CommandMode::Poll);
+  ASSERT_TRUE(pair({0xC0, 0xC1, 0xC2, 0xC3}, identity));
+  host_.kill();
+  startVehicle();
+  EXPECT_EQ(meet(78).boot, identity.boot + 1);
 }
 
 TEST_F(QemuVehicle, drivesWhenToldAndStopsByItself) {

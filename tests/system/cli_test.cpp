@@ -53,6 +53,10 @@ INSTANTIATE_TEST_SUITE_P(
         Call{"drive",
              {"drive", "--help"},
              {"SITE", "--port", "--drive", "--speed", "--limit", "--estimator", "--controller", "--json", "--quiet"}},
+        Call{"radio", {"radio", "--help"}, {"read", "write", "check"}},
+        Call{"radioWrite",
+             {"radio", "write", "--help"},
+             {"--port", "--lines", "--json", "--site", "--channel", "--air-rate", "--baud", "--power"}},
         Call{"ports", {"ports", "--help"}, {"--json"}}, Call{"site", {"site", "--help"}, {"check"}},
         Call{"siteCheck", {"site", "check", "--help"}, {"FILE", "--json"}}),
     kNameOf);
