@@ -16,6 +16,13 @@ namespace {
 constexpr int kRestMs = 400;  // edits of one drag are kept once
 constexpr int kHistory = 300;
 
+Sentence sentenceOf(const store::Wording& wording) {
+  if (!wording.isPattern) return wording.text;
+  std::vector<Sentence> arguments;
+  for (const auto& argument : wording.arguments) arguments.push_back(sentenceOf(argument));
+  return Sentence::restored(wording.text, std::move(arguments));
+}
+
 }  // namespace
 
 QString Keeper::databasePath() {
@@ -41,7 +48,7 @@ Keeper::Keeper(ui::SiteDocument& document, ui::FleetLink& fleet, QObject* parent
             std::vector<ui::JournalLine> lines;
             for (auto entry = page.entries.rbegin(); entry != page.entries.rend(); ++entry)
               lines.push_back({QDateTime::fromMSecsSinceEpoch(entry->utcMs), entry->severity, entry->vehicle,
-                               QString::fromStdString(entry->sentence)});
+                               sentenceOf(entry->wording)});
             Q_EMIT historyLoaded(lines);
           });
   store_->start();

@@ -51,8 +51,18 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow{parent} {
 
 MainWindow::~MainWindow() {
   session_->close();
-  // Its parts look at the document, which goes before them otherwise.
+  // Whatever looks at the document goes before it, what is still to be kept first of all.
+  delete keeper_;
+  document_.disconnect(this);
+  selection_.disconnect(this);
+  canvas_->setTool(nullptr);
+  routeTool_.reset();
+  for (QDockWidget* dock : panels_->docks()) delete dock;
   delete takeCentralWidget();
+  delete files_;
+  delete actions_;
+  delete stopAllKey_;
+  delete session_;
 }
 
 void MainWindow::buildCentre() {
@@ -83,8 +93,11 @@ void MainWindow::restore(bool reopen) {
   setLanguage(settings_.language().isEmpty() ? Languages::ofSystem() : settings_.language());
   setAppearance(settings_.appearance());
   if (!restoreGeometry(settings_.geometry())) resize(1280, 820);
+  panels_->setShown(true);
   if (!restoreState(settings_.layout())) panels_->arrange(*this);
+  panels_->setShown(open_);
   showRecent();
+  keeper_->loadHistory();
   if (reopen && !settings_.site().isEmpty() && QFile::exists(settings_.site())) files_->open(settings_.site());
 }
 
@@ -130,7 +143,12 @@ void MainWindow::retranslate() {
 void MainWindow::tell(const QString& sentence) { statusBar()->showMessage(sentence, 15000); }
 
 void MainWindow::showHelp() {
-  if (help_ == nullptr) help_ = new ui::HelpWindow{this};
+  // A modal dialogue lets no other window be used: its help is a window of its own.
+  QWidget* modal = QApplication::activeModalWidget();
+  if (help_ == nullptr || help_->parentWidget() != (modal != nullptr ? modal : this)) {
+    delete help_;
+    help_ = new ui::HelpWindow{modal != nullptr ? modal : this};
+  }
   help_->showTopic(ui::helpTopicOf(QApplication::focusWidget()));
   help_->show();
   help_->raise();

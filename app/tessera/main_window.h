@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QPointer>
 #include <memory>
 #include <optional>
 
@@ -95,7 +96,7 @@ private:
   WindowPanels* panels_;
   ui::StopAllButton* stopAll_;
   ui::StopAllKey* stopAllKey_;
-  ui::HelpWindow* help_ = nullptr;
+  QPointer<ui::HelpWindow> help_;
   bool open_ = false;  // a site stands in the document
   QLabel* place_;
   QLabel* hint_;

@@ -1,5 +1,6 @@
 // The dialogues that the main window opens, and what comes of them.
 #include <QSerialPortInfo>
+#include <QShortcut>
 #include <QStatusBar>
 
 #include "app/tessera/fleet_session.h"
@@ -46,6 +47,10 @@ void MainWindow::connectTo(const ui::ConnectionChoice& choice) { session_->conne
 void MainWindow::commission(std::optional<VehicleId> vehicle) {
   ui::CommissionWizard wizard{*session_, document_, vehicle, this};
   connect(&wizard, &ui::CommissionWizard::connectRequested, this, &MainWindow::askConnection);
+  wizard.setProperty("helpTopic", QStringLiteral("commissioning"));
+  connect(&wizard, &QWizard::helpRequested, this, &MainWindow::showHelp);
+  auto* helpKey = new QShortcut{QKeySequence::HelpContents, &wizard};
+  connect(helpKey, &QShortcut::activated, this, &MainWindow::showHelp);
   wizard.exec();
   if (wizard.vehicle()) selection_.setVehicle(wizard.vehicle());
 }

@@ -158,6 +158,8 @@ void MainWindow::joinPanels() {
     selection_.setVehicle(vehicle);
     actions_->follow->setChecked(true);
   });
+  connect(panels_->run, &ui::RunPanel::drawRouteRequested, this, &MainWindow::drawRoute);
+  connect(panels_->run, &ui::RunPanel::commissionRequested, this, [this] { commission(std::nullopt); });
   connect(panels_->routes, &ui::RoutePanel::drawRequested, this, &MainWindow::drawRoute);
   connect(routeTool_.get(), &ui::RouteTool::finished, this,
           [this](const QString& route) { selection_.setRoute(route); });
@@ -217,7 +219,7 @@ void MainWindow::showRecent() {
     action->setToolTip(path);
     action->setEnabled(file.exists());
     sites.push_back(ui::RecentSite{file.completeBaseName().remove(QStringLiteral(".tessera")), path,
-                                   file.lastModified(), file.exists()});
+                                   file.lastModified(), !file.exists()});
   }
   actions_->recent->setEnabled(!sites.empty());
   start_->setRecent(std::move(sites));

@@ -61,7 +61,7 @@ void WindowPanels::setShown(bool shown) {
 
 void WindowPanels::arrange(QMainWindow& window) {
   const int line = window.fontMetrics().height();
-  window.resizeDocks({docks_[0]}, {13 * line}, Qt::Vertical);
+  window.resizeDocks({docks_[0]}, {17 * line}, Qt::Vertical);
   window.resizeDocks({docks_[3], docks_[4]}, {17 * line, 22 * line}, Qt::Vertical);
   window.resizeDocks({docks_[3]}, {18 * line}, Qt::Horizontal);
 }

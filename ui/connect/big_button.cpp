@@ -65,11 +65,12 @@ void BigButton::paintEvent(QPaintEvent* /*event*/) {
   painter.setPen(palette().color(QPalette::ButtonText));
   painter.setFont(titleFont());
   const int titleHeight = QFontMetrics{titleFont()}.height();
-  painter.drawText(QRect{text.topLeft(), QSize{text.width(), titleHeight}}, Qt::AlignLeft | Qt::TextShowMnemonic,
-                   title_);
+  painter.drawText(QRect{text.topLeft(), QSize{text.width(), titleHeight}},
+                   Qt::AlignLeft | Qt::TextShowMnemonic | Qt::TextDontClip, title_);
   painter.setFont(font());
   text.setTop(text.top() + titleHeight);
-  painter.drawText(text, Qt::AlignLeft | Qt::TextSingleLine,
+  // Fonts that stand in for missing characters may reach below the line.
+  painter.drawText(text, Qt::AlignLeft | Qt::TextSingleLine | Qt::TextDontClip,
                    fontMetrics().elidedText(description_, Qt::ElideRight, text.width()));
   if (option.state.testFlag(QStyle::State_HasFocus)) {
     QStyleOptionFocusRect focus;

@@ -26,34 +26,35 @@ Condition whileConnected(const supervisor::VehicleView& v) {
 }
 
 QString nextStep(Condition condition, const supervisor::VehicleView& v, const QString& name) {
-  using W = ConditionWords;
   switch (condition) {
     case Condition::Calling:
-      return W::tr("%1 has not answered yet. Check that it is switched on and within reach of the radio.").arg(name);
+      return ConditionWords::tr("%1 has not answered yet. Check that it is switched on and within reach of the radio.")
+          .arg(name);
     case Condition::Silent:
-      return W::tr("%1 no longer answers. It stops by itself; check its power and the radio.").arg(name);
+      return ConditionWords::tr("%1 no longer answers. It stops by itself; check its power and the radio.").arg(name);
     case Condition::Refused:
-      return W::tr("%1 answers, but with another key or protocol version. Set it up again for this site.").arg(name);
+      return ConditionWords::tr("%1 answers, but with another key or protocol version. Set it up again for this site.")
+          .arg(name);
     case Condition::Obstacle:
-      return W::tr("%1 stands before an obstacle.").arg(name);
+      return ConditionWords::tr("%1 stands before an obstacle.").arg(name);
     case Condition::Calibrating:
-      return W::tr("%1 calibrates its compass.").arg(name);
+      return ConditionWords::tr("%1 calibrates its compass.").arg(name);
     case Condition::ByHand:
-      return W::tr("%1 is driven by hand.").arg(name);
+      return ConditionWords::tr("%1 is driven by hand.").arg(name);
     case Condition::Paused:
-      return W::tr("%1 pauses. Resume lets it go on from here.").arg(name);
+      return ConditionWords::tr("%1 pauses. Resume lets it go on from here.").arg(name);
     case Condition::Finished:
-      return W::tr("%1 has reached the end of its route.").arg(name);
+      return ConditionWords::tr("%1 has reached the end of its route.").arg(name);
     case Condition::Stopped:
-      if (v.located) return W::tr("%1 was stopped. Run lets it drive again.").arg(name);
+      if (v.located) return ConditionWords::tr("%1 was stopped. Run lets it drive again.").arg(name);
       break;
     case Condition::Ready:
-      if (v.located) return W::tr("%1 is ready. Choose a route and run it.").arg(name);
+      if (v.located) return ConditionWords::tr("%1 is ready. Choose a route and run it.").arg(name);
       break;
     default:
       return {};
   }
-  return W::tr("The place of %1 is not known. Put it where it reads tags.").arg(name);
+  return ConditionWords::tr("The place of %1 is not known. Put it where it reads tags.").arg(name);
 }
 
 }  // namespace
@@ -76,36 +77,35 @@ Condition conditionOf(const supervisor::Snapshot* snapshot, const supervisor::Ve
 }
 
 QString words(Condition condition) {
-  using W = ConditionWords;
   switch (condition) {
     case Condition::Faulted:
-      return W::tr("Fault");
+      return ConditionWords::tr("Fault");
     case Condition::Refused:
-      return W::tr("Refused");
+      return ConditionWords::tr("Refused");
     case Condition::Silent:
-      return W::tr("Silent");
+      return ConditionWords::tr("Silent");
     case Condition::Obstacle:
-      return W::tr("Obstacle");
+      return ConditionWords::tr("Obstacle");
     case Condition::Waiting:
-      return W::tr("Waiting");
+      return ConditionWords::tr("Waiting");
     case Condition::NoPort:
-      return W::tr("Not connected");
+      return ConditionWords::tr("Not connected");
     case Condition::Calling:
-      return W::tr("Calling");
+      return ConditionWords::tr("Calling");
     case Condition::Calibrating:
-      return W::tr("Calibrating");
+      return ConditionWords::tr("Calibrating");
     case Condition::Paused:
-      return W::tr("Paused");
+      return ConditionWords::tr("Paused");
     case Condition::Running:
-      return W::tr("Running");
+      return ConditionWords::tr("Running");
     case Condition::ByHand:
-      return W::tr("By hand", "driven by keys");
+      return ConditionWords::tr("By hand", "driven by keys");
     case Condition::Stopped:
-      return W::tr("Stopped");
+      return ConditionWords::tr("Stopped");
     case Condition::Ready:
-      return W::tr("Ready");
+      return ConditionWords::tr("Ready");
     case Condition::Finished:
-      return W::tr("Arrived");
+      return ConditionWords::tr("Arrived");
   }
   return {};
 }
@@ -171,20 +171,20 @@ Tone toneOf(Condition condition) {
 }
 
 QString situation(const supervisor::Snapshot* snapshot, const supervisor::VehicleView* vehicle, const QString& name) {
-  using W = ConditionWords;
   const Condition condition = conditionOf(snapshot, vehicle);
   if (condition == Condition::NoPort) {
     const QString port = snapshot == nullptr ? QString{} : text(snapshot->port.sentence);
-    return port.isEmpty() ? W::tr("There is no connection to the vehicles. Connect first.") : port;
+    return port.isEmpty() ? ConditionWords::tr("There is no connection to the vehicles. Connect first.") : port;
   }
   if (condition == Condition::Faulted)
-    return W::tr("%1 is held by a fault (%2). Remove the cause, then clear the fault.")
-        .arg(name, faultTexts(vehicle->faults).join(W::tr(", ", "between faults")));
+    return ConditionWords::tr("%1 is held by a fault (%2). Remove the cause, then clear the fault.")
+        .arg(name, faultTexts(vehicle->faults).join(ConditionWords::tr(", ", "between faults")));
   if (!vehicle->waits.empty()) return text(vehicle->waits);
   if (const QString next = nextStep(condition, *vehicle, name); !next.isEmpty()) return next;
   const QString doing = text(vehicle->doing);
-  return doing.isEmpty() ? W::tr("%1 drives along the route %2.").arg(name, QString::fromStdString(vehicle->route))
-                         : doing;
+  return doing.isEmpty()
+             ? ConditionWords::tr("%1 drives along the route %2.").arg(name, QString::fromStdString(vehicle->route))
+             : doing;
 }
 
 Metres placeUncertainty(const supervisor::VehicleView& vehicle) {

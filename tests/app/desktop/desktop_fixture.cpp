@@ -37,6 +37,8 @@ void DesktopTest::openWindow(bool reopen) {
   window->setAppearance(Appearance::Light);
   window->show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+  window->activateWindow();  // shortcuts are the active window's
+  ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
   if (reopen) window->restore(true);
 }
 
@@ -72,6 +74,11 @@ void DesktopTest::answerQuestion(const QString& name, const QString& buttonText)
 void DesktopTest::startDemo() {
   QTest::mouseClick(find("demoButton"), Qt::LeftButton);
   ASSERT_TRUE(until([&] { return vehicle().contact == supervisor::Contact::Connected && vehicle().located; }));
+}
+
+void DesktopTest::pressWhenOffered(const char* action, Qt::Key key) {
+  EXPECT_TRUE(until([&] { return find<QAction>(action)->isEnabled(); })) << action;
+  press(key);
 }
 
 supervisor::VehicleView DesktopTest::vehicle() const {

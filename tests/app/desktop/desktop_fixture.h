@@ -48,6 +48,8 @@ protected:
     return found;
   }
   void trigger(const char* action) const { find<QAction>(action)->trigger(); }
+  /// Presses the key of an action once that is enabled: panels follow the vehicles a moment later.
+  void pressWhenOffered(const char* action, Qt::Key key);
   void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) const { QTest::keyClick(window.get(), key, modifiers); }
 
   QTemporaryDir home;

@@ -1,0 +1,4085 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN" sourcelanguage="en">
+<context>
+    <name>Core</name>
+    <message>
+        <source>slowing down before the corner</source>
+        <translation>转角前减速</translation>
+    </message>
+    <message>
+        <source>slowing down before the end</source>
+        <translation>终点前减速</translation>
+    </message>
+    <message>
+        <source>no faster over this slow a radio</source>
+        <translation>受无线速率限制</translation>
+    </message>
+    <message>
+        <source>slowly, because its place is not well known</source>
+        <translation>位置不够确定，慢速行驶</translation>
+    </message>
+    <message>
+        <source>slowly, until its nose points along the way</source>
+        <translation>慢速行驶，直到车头对准行驶方向</translation>
+    </message>
+    <message>
+        <source>as asked for</source>
+        <translation>按设定速度</translation>
+    </message>
+    <message>
+        <source>On the way to the route: %1 m/s, %2.</source>
+        <translation>正在驶向路径：%1 m/s，%2。</translation>
+    </message>
+    <message>
+        <source>On leg %1 of %2, %3 m to go: %4 m/s, %5.</source>
+        <translation>在第 %1 路段（共 %2 段），剩余 %3 m：%4 m/s，%5。</translation>
+    </message>
+    <message>
+        <source>Turning on the spot by %1° to leg %2 of %3.</source>
+        <translation>原地转向 %1°，对准第 %2 路段（共 %3 段）。</translation>
+    </message>
+    <message>
+        <source>At the end of the route.</source>
+        <translation>已到路径终点。</translation>
+    </message>
+    <message>
+        <source>Standing still, because its place is unknown.</source>
+        <translation>位置未知，静止等待。</translation>
+    </message>
+    <message>
+        <source>the address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>the wheel diameter</source>
+        <translation>轮径</translation>
+    </message>
+    <message>
+        <source>the track width</source>
+        <translation>轮距</translation>
+    </message>
+    <message>
+        <source>the encoder&apos;s resolution</source>
+        <translation>编码器分辨率</translation>
+    </message>
+    <message>
+        <source>%1 counts a turn</source>
+        <translation>每转 %1 个计数</translation>
+    </message>
+    <message>
+        <source>the highest speed</source>
+        <translation>最高速度</translation>
+    </message>
+    <message>
+        <source>the highest turn rate</source>
+        <translation>最高转向速度</translation>
+    </message>
+    <message>
+        <source>the stop distance</source>
+        <translation>停车距离</translation>
+    </message>
+    <message>
+        <source>the magnetic declination</source>
+        <translation>磁偏角</translation>
+    </message>
+    <message>
+        <source>%1/65536 turn</source>
+        <translation>%1/65536 圈</translation>
+    </message>
+    <message>
+        <source>the compass&apos; offset on x</source>
+        <translation>罗盘 x 轴偏移</translation>
+    </message>
+    <message>
+        <source>the compass&apos; offset on y</source>
+        <translation>罗盘 y 轴偏移</translation>
+    </message>
+    <message>
+        <source>the compass&apos; matrix entry xx</source>
+        <translation>罗盘矩阵元素 xx</translation>
+    </message>
+    <message>
+        <source>the compass&apos; matrix entry xy</source>
+        <translation>罗盘矩阵元素 xy</translation>
+    </message>
+    <message>
+        <source>the compass&apos; matrix entry yx</source>
+        <translation>罗盘矩阵元素 yx</translation>
+    </message>
+    <message>
+        <source>the compass&apos; matrix entry yy</source>
+        <translation>罗盘矩阵元素 yy</translation>
+    </message>
+    <message>
+        <source>the compass&apos; mounting angle</source>
+        <translation>罗盘安装角</translation>
+    </message>
+    <message>
+        <source>the number of tag readers</source>
+        <translation>读卡器数量</translation>
+    </message>
+    <message>
+        <source>the radio&apos;s channel</source>
+        <translation>无线信道</translation>
+    </message>
+    <message>
+        <source>the code of the radio&apos;s air rate</source>
+        <translation>无线空中速率代码</translation>
+    </message>
+    <message>
+        <source>the code of the radio&apos;s baud rate</source>
+        <translation>无线模块波特率代码</translation>
+    </message>
+    <message>
+        <source>the voltage of a low battery</source>
+        <translation>低电量电压</translation>
+    </message>
+    <message>
+        <source>the acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>the compass&apos; share in the heading</source>
+        <translation>罗盘在航向中的权重</translation>
+    </message>
+    <message>
+        <source>the count of refused frames</source>
+        <translation>被拒绝的帧数</translation>
+    </message>
+    <message>
+        <source>the count of damaged frames</source>
+        <translation>损坏的帧数</translation>
+    </message>
+    <message>
+        <source>the longest tick</source>
+        <translation>最长周期</translation>
+    </message>
+    <message>
+        <source>the stack never used</source>
+        <translation>从未使用的栈空间</translation>
+    </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 字节</translation>
+    </message>
+    <message>
+        <source>the outcome code of the last compass calibration</source>
+        <translation>上次罗盘校准的结果代码</translation>
+    </message>
+    <message>
+        <source>parameter %1</source>
+        <translation>参数 %1</translation>
+    </message>
+    <message>
+        <source>calibrating the compass</source>
+        <translation>校准罗盘</translation>
+    </message>
+    <message>
+        <source>restarting</source>
+        <translation>重启</translation>
+    </message>
+    <message>
+        <source>restoring the factory&apos;s settings</source>
+        <translation>恢复出厂设置</translation>
+    </message>
+    <message>
+        <source>action %1</source>
+        <translation>操作 %1</translation>
+    </message>
+    <message>
+        <source>reading %1</source>
+        <translation>读取%1</translation>
+    </message>
+    <message>
+        <source>setting %1 to %2</source>
+        <translation>将%1设为 %2</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>done, the value is %1</source>
+        <translation>已完成，值为 %1</translation>
+    </message>
+    <message>
+        <source>started</source>
+        <translation>已开始</translation>
+    </message>
+    <message>
+        <source>refused, the vehicle does not know it</source>
+        <translation>被拒绝，车辆不支持此项</translation>
+    </message>
+    <message>
+        <source>refused, the value is out of range</source>
+        <translation>被拒绝，值超出范围</translation>
+    </message>
+    <message>
+        <source>refused, the vehicle is busy</source>
+        <translation>被拒绝，车辆正忙</translation>
+    </message>
+    <message>
+        <source>failed on the vehicle</source>
+        <translation>车辆执行失败</translation>
+    </message>
+    <message>
+        <source>answered in an unknown way</source>
+        <translation>应答内容无法识别</translation>
+    </message>
+    <message>
+        <source>%1 stopped: a wheel does not turn although it is driven. Free it, then clear.</source>
+        <translation>%1 已停车：有车轮受驱动但不转动。请排除卡滞，然后清除故障。</translation>
+    </message>
+    <message>
+        <source>%1 drives its wheels again.</source>
+        <translation>%1 的车轮恢复正常驱动。</translation>
+    </message>
+    <message>
+        <source>%1 stopped: a wheel encoder contradicts the drive. Check it, then clear.</source>
+        <translation>%1 已停车：车轮编码器与驱动不一致。请检查编码器，然后清除故障。</translation>
+    </message>
+    <message>
+        <source>%1 trusts its wheel encoders again.</source>
+        <translation>%1 的车轮编码器恢复正常。</translation>
+    </message>
+    <message>
+        <source>%1 gets no answer from its compass and keeps its heading by the wheels.</source>
+        <translation>%1 的罗盘无应答，改由车轮推算航向。</translation>
+    </message>
+    <message>
+        <source>%1 hears its compass again.</source>
+        <translation>%1 的罗盘恢复应答。</translation>
+    </message>
+    <message>
+        <source>%1 measures a magnetic field that cannot be right and keeps its heading by the wheels.</source>
+        <translation>%1 测得的磁场不正常，改由车轮推算航向。</translation>
+    </message>
+    <message>
+        <source>%1 measures a plausible magnetic field again.</source>
+        <translation>%1 测得的磁场恢复正常。</translation>
+    </message>
+    <message>
+        <source>%1 gets no answer from one of its tag readers.</source>
+        <translation>%1 有读卡器无应答。</translation>
+    </message>
+    <message>
+        <source>%1 hears all its tag readers again.</source>
+        <translation>%1 的所有读卡器恢复应答。</translation>
+    </message>
+    <message>
+        <source>%1 has a low battery.</source>
+        <translation>%1 电池电量低。</translation>
+    </message>
+    <message>
+        <source>%1 has enough battery again.</source>
+        <translation>%1 电池电量恢复正常。</translation>
+    </message>
+    <message>
+        <source>%1 cannot read or write its settings; what was set is lost at the next start. It stands, even when cleared, if it could not read them.</source>
+        <translation>%1 无法读取或写入其设置；已设置的内容在下次启动时会丢失。若无法读取，即使清除故障，车辆仍会停车。</translation>
+    </message>
+    <message>
+        <source>%1 reads and writes its settings again.</source>
+        <translation>%1 恢复读写其设置。</translation>
+    </message>
+    <message>
+        <source>%1 was restarted by its watchdog and stands until it is cleared.</source>
+        <translation>%1 被看门狗重启，清除故障前保持停车。</translation>
+    </message>
+    <message>
+        <source>%1 was cleared after its watchdog&apos;s restart.</source>
+        <translation>%1 的看门狗重启故障已清除。</translation>
+    </message>
+    <message>
+        <source>%1 has a radio module that does not take its parameters.</source>
+        <translation>%1 的无线模块不接受参数。</translation>
+    </message>
+    <message>
+        <source>%1 has a radio module that takes its parameters again.</source>
+        <translation>%1 的无线模块恢复接受参数。</translation>
+    </message>
+    <message>
+        <source>%1 refused a command that does not bear its key: a changed byte, or somebody else on the channel.</source>
+        <translation>%1 拒绝了一条密钥不符的指令：字节被改动，或信道上有其他发射机。</translation>
+    </message>
+    <message>
+        <source>%1 gets no more forged commands.</source>
+        <translation>%1 不再收到伪造的指令。</translation>
+    </message>
+    <message>
+        <source>%1 refused a command that it had seen before: somebody repeats old frames.</source>
+        <translation>%1 拒绝了一条重复的指令：有人在重放旧的帧。</translation>
+    </message>
+    <message>
+        <source>%1 gets no more replayed commands.</source>
+        <translation>%1 不再收到重放的指令。</translation>
+    </message>
+    <message>
+        <source>%1 dropped tag reads because they were not fetched in time.</source>
+        <translation>%1 的标签读取记录因未及时取走而丢弃。</translation>
+    </message>
+    <message>
+        <source>%1 has its tag reads fetched in time again.</source>
+        <translation>%1 的标签读取记录恢复及时取走。</translation>
+    </message>
+    <message>
+        <source>%1 gets no answer from one of its rangers and does not drive forwards.</source>
+        <translation>%1 有测距传感器无应答，车辆不会前进。</translation>
+    </message>
+    <message>
+        <source>%1 hears all its rangers again.</source>
+        <translation>%1 的所有测距传感器恢复应答。</translation>
+    </message>
+    <message>
+        <source>%1 did not answer: %2 is not confirmed.</source>
+        <translation>%1 未应答：“%2”未得到确认。</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3.</source>
+        <translation>%1，%2：%3。</translation>
+    </message>
+    <message>
+        <source>its power was switched on</source>
+        <translation>接通电源</translation>
+    </message>
+    <message>
+        <source>its watchdog ended a hang</source>
+        <translation>看门狗中止了死机</translation>
+    </message>
+    <message>
+        <source>it was told to</source>
+        <translation>按指令重启</translation>
+    </message>
+    <message>
+        <source>the cause is unknown</source>
+        <translation>原因未知</translation>
+    </message>
+    <message>
+        <source>The port %1 is open.</source>
+        <translation>端口 %1 已打开。</translation>
+    </message>
+    <message>
+        <source>The port %1 is back.</source>
+        <translation>端口 %1 已恢复。</translation>
+    </message>
+    <message>
+        <source>The radio&apos;s port is lost: %1.</source>
+        <translation>无线模块的端口已断开：%1。</translation>
+    </message>
+    <message>
+        <source>The port %1 is lost: %2.</source>
+        <translation>端口 %1 已断开：%2。</translation>
+    </message>
+    <message>
+        <source>%1 Vehicles stop by themselves; it is taken up again as soon as it is there.</source>
+        <translation>%1车辆会自行停车；端口恢复后将自动重新连接。</translation>
+    </message>
+    <message>
+        <source>An order is for the vehicle %1, which is not looked after here.</source>
+        <translation>有一条指令发给车辆 %1，但该车辆不由此上位机管理。</translation>
+    </message>
+    <message>
+        <source>%1: too many requests are waiting already.</source>
+        <translation>%1：等待处理的请求过多。</translation>
+    </message>
+    <message>
+        <source>The site&apos;s vehicles or its radio have changed: supervision must be restarted to take them over.</source>
+        <translation>场地的车辆或无线设置已更改：需要重新启动监控才能生效。</translation>
+    </message>
+    <message>
+        <source>Damaged bytes come from the radio and are dropped: noise, two senders at once, or a changed byte.</source>
+        <translation>从无线模块收到损坏的字节，已丢弃：可能是噪声、两台发射机同时发送，或字节被改动。</translation>
+    </message>
+    <message>
+        <source>Somebody who does not belong to this site sends on the radio channel; the frames are dropped.</source>
+        <translation>无线信道上有不属于本场地的发射机；其帧已丢弃。</translation>
+    </message>
+    <message>
+        <source>No more damaged bytes from the radio; %1 stretches were dropped.</source>
+        <translation>不再从无线模块收到损坏的字节；共丢弃 %1 段。</translation>
+    </message>
+    <message>
+        <source>No more strangers on the radio channel; %1 frames were dropped.</source>
+        <translation>无线信道上不再有外来发射机；共丢弃 %1 帧。</translation>
+    </message>
+    <message>
+        <source>Vehicle %1</source>
+        <translation>车辆 %1</translation>
+    </message>
+    <message>
+        <source>No more forged frames in the name of %1; %2 were dropped.</source>
+        <translation>不再收到冒用 %1 名义的伪造帧；共丢弃 %2 帧。</translation>
+    </message>
+    <message>
+        <source>No more replayed frames in the name of %1; %2 were dropped.</source>
+        <translation>不再收到冒用 %1 名义的重放帧；共丢弃 %2 帧。</translation>
+    </message>
+    <message>
+        <source>No more senseless frames in the name of %1; %2 were dropped.</source>
+        <translation>不再收到以 %1 名义发送的无意义帧；共丢弃 %2 帧。</translation>
+    </message>
+    <message>
+        <source>%1 is no longer driven by hand.</source>
+        <translation>%1 的手动驾驶已结束。</translation>
+    </message>
+    <message>
+        <source>%1 has reached the end of the route %2.</source>
+        <translation>%1 已到达路径 %2 的终点。</translation>
+    </message>
+    <message>
+        <source>%1 waits: it was told to pause.</source>
+        <translation>%1 正在等待：已按指令暂停。</translation>
+    </message>
+    <message>
+        <source>%1 waits: the radio&apos;s port is lost.</source>
+        <translation>%1 正在等待：无线模块的端口已断开。</translation>
+    </message>
+    <message>
+        <source>%1 waits: the radio&apos;s port is not open.</source>
+        <translation>%1 正在等待：无线模块的端口未打开。</translation>
+    </message>
+    <message>
+        <source>%1 waits: the port %2 is lost.</source>
+        <translation>%1 正在等待：端口 %2 已断开。</translation>
+    </message>
+    <message>
+        <source>%1 waits: the port %2 is not open.</source>
+        <translation>%1 正在等待：端口 %2 未打开。</translation>
+    </message>
+    <message>
+        <source>%1 waits: it has not answered our call yet.</source>
+        <translation>%1 正在等待：尚未应答呼叫。</translation>
+    </message>
+    <message>
+        <source>%1 waits: it cannot be talked to, see the events.</source>
+        <translation>%1 正在等待：无法与其通信，请查看事件。</translation>
+    </message>
+    <message>
+        <source>%1 waits: it has not answered for %2 s.</source>
+        <translation>%1 正在等待：已有 %2 秒未应答。</translation>
+    </message>
+    <message>
+        <source>%1 waits: its first report has not come yet.</source>
+        <translation>%1 正在等待：尚未收到第一份报告。</translation>
+    </message>
+    <message>
+        <source>%1 waits: a fault holds it until it is cleared.</source>
+        <translation>%1 正在等待：因故障停车，需要清除故障。</translation>
+    </message>
+    <message>
+        <source>%1 waits: it calibrates its compass.</source>
+        <translation>%1 正在等待：正在校准罗盘。</translation>
+    </message>
+    <message>
+        <source>%1 waits: one of its rangers does not answer.</source>
+        <translation>%1 正在等待：有测距传感器无应答。</translation>
+    </message>
+    <message>
+        <source>%1 waits: an obstacle stood before it.</source>
+        <translation>%1 正在等待：刚才前方有障碍物。</translation>
+    </message>
+    <message>
+        <source>%1 waits: an obstacle stands %2 cm before it.</source>
+        <translation>%1 正在等待：前方 %2 cm 处有障碍物。</translation>
+    </message>
+    <message>
+        <source>%1 waits: its place is not known. Put it where it reads tags.</source>
+        <translation>%1 正在等待：位置未知。请将其放到能读到标签的地方。</translation>
+    </message>
+    <message>
+        <source>%1 waits: %2</source>
+        <translation>%1 正在等待：%2</translation>
+    </message>
+    <message>
+        <source>%1 waits: its last command ran out.</source>
+        <translation>%1 正在等待：上一条指令已过期。</translation>
+    </message>
+    <message>
+        <source>Driven by hand.</source>
+        <translation>正在手动驾驶。</translation>
+    </message>
+    <message>
+        <source>host build</source>
+        <translation>主机版</translation>
+    </message>
+    <message>
+        <source>other hardware</source>
+        <translation>其他硬件</translation>
+    </message>
+    <message>
+        <source>%1 answers again.</source>
+        <translation>%1 恢复应答。</translation>
+    </message>
+    <message>
+        <source>%1 now bears the site&apos;s key.</source>
+        <translation>%1 的密钥现已与场地一致。</translation>
+    </message>
+    <message>
+        <source>%1 now speaks our version of the protocol.</source>
+        <translation>%1 的协议版本现已与本程序一致。</translation>
+    </message>
+    <message>
+        <source>%1.%2.%3 on %4</source>
+        <translation>%1.%2.%3（%4）</translation>
+    </message>
+    <message>
+        <source>%1 is in touch again after its restart.</source>
+        <translation>%1 重启后恢复联系。</translation>
+    </message>
+    <message>
+        <source>%1 has restarted while it was out of touch.</source>
+        <translation>%1 在失去联系期间重启过。</translation>
+    </message>
+    <message>
+        <source>%1 is identified: firmware %2, %3 tag readers, %4 rangers.</source>
+        <translation>%1 已识别：固件 %2，读卡器 %3 个，测距传感器 %4 个。</translation>
+    </message>
+    <message>
+        <source>%1 has %2 tag readers, the site says %3.</source>
+        <translation>%1 有 %2 个读卡器，场地中为 %3 个。</translation>
+    </message>
+    <message>
+        <source>%1 answers with another key than the site&apos;s; it is not commanded. Commission it, or mend the site.</source>
+        <translation>%1 应答时使用的密钥与场地不同，不会向其发送指令。请设置该车辆，或更正场地中的密钥。</translation>
+    </message>
+    <message>
+        <source>%1 speaks version %2 of the protocol, this program speaks %3; it is not commanded.</source>
+        <translation>%1 使用协议版本 %2，本程序使用版本 %3，不会向其发送指令。</translation>
+    </message>
+    <message>
+        <source>%1 has restarted (%2); it is called again.</source>
+        <translation>%1 已重启（%2），正在重新呼叫。</translation>
+    </message>
+    <message>
+        <source>%1 has not answered for %2 s; it stops by itself when its command runs out, and is called until it answers.</source>
+        <translation>%1 已有 %2 秒未应答；指令过期后车辆会自行停车，并将持续呼叫直到其应答。</translation>
+    </message>
+    <message>
+        <source>A frame in the name of %1 does not bear its key and was dropped: forged, changed on the way, or of an earlier meeting.</source>
+        <translation>以 %1 名义发送的一帧密钥不符，已丢弃：可能是伪造、途中被改动，或属于之前的会话。</translation>
+    </message>
+    <message>
+        <source>A frame of %1 came a second time and was dropped: somebody repeats old frames.</source>
+        <translation>%1 的一帧重复到达，已丢弃：有人在重放旧的帧。</translation>
+    </message>
+    <message>
+        <source>A frame in the name of %1 makes no sense and was dropped.</source>
+        <translation>以 %1 名义发送的一帧没有意义，已丢弃。</translation>
+    </message>
+    <message>
+        <source>%1 tag reads of %2 were lost.</source>
+        <translation>丢失 %1 条 %2 的标签读取记录。</translation>
+    </message>
+    <message>
+        <source>%1 read the tag %2, which the site does not have.</source>
+        <translation>%1 读到标签 %2，该标签不在本场地中。</translation>
+    </message>
+    <message>
+        <source>%1 is located.</source>
+        <translation>%1 已定位。</translation>
+    </message>
+    <message>
+        <source>%1 has lost its place and stands.</source>
+        <translation>%1 失去定位，已停车。</translation>
+    </message>
+    <message>
+        <source>%1 has found its place again.</source>
+        <translation>%1 恢复定位。</translation>
+    </message>
+    <message>
+        <source>%1 stands before an obstacle.</source>
+        <translation>%1 前方有障碍物，已停车。</translation>
+    </message>
+    <message>
+        <source>%1 stands before an obstacle, %2 cm away.</source>
+        <translation>%1 前方 %2 cm 处有障碍物，已停车。</translation>
+    </message>
+    <message>
+        <source>The obstacle before %1 is gone.</source>
+        <translation>%1 前方的障碍物已消失。</translation>
+    </message>
+    <message>
+        <source>%1 stopped by itself, because no command reached it in time.</source>
+        <translation>%1 已自行停车，因为未及时收到指令。</translation>
+    </message>
+    <message>
+        <source>%1 takes commands again.</source>
+        <translation>%1 恢复接收指令。</translation>
+    </message>
+    <message>
+        <source>%1: the site has no route called &quot;%2&quot;.</source>
+        <translation>%1：场地中没有名为“%2”的路径。</translation>
+    </message>
+    <message>
+        <source>%1: the speed for the route %2 must be above zero.</source>
+        <translation>%1：路径 %2 的速度必须大于零。</translation>
+    </message>
+    <message>
+        <source>%1: the route %2 needs at least two different points.</source>
+        <translation>%1：路径 %2 至少需要两个不同的点。</translation>
+    </message>
+    <message>
+        <source>%1 starts on the route %2 at %3 m/s.</source>
+        <translation>%1 开始沿路径 %2 行驶，速度 %3 m/s。</translation>
+    </message>
+    <message>
+        <source>%1: it cannot pause, as it runs no route.</source>
+        <translation>%1：无法暂停，因为没有在运行路径。</translation>
+    </message>
+    <message>
+        <source>%1 pauses on the route %2.</source>
+        <translation>%1 在路径 %2 上暂停。</translation>
+    </message>
+    <message>
+        <source>%1: it cannot go on, as it does not pause.</source>
+        <translation>%1：无法继续，因为没有暂停。</translation>
+    </message>
+    <message>
+        <source>%1 goes on along the route %2.</source>
+        <translation>%1 沿路径 %2 继续行驶。</translation>
+    </message>
+    <message>
+        <source>%1 gives up the route %2 by order.</source>
+        <translation>%1 按指令放弃路径 %2。</translation>
+    </message>
+    <message>
+        <source>%1: a speed to drive at by hand is no number.</source>
+        <translation>%1：手动驾驶的速度不是有效数值。</translation>
+    </message>
+    <message>
+        <source>%1: it cannot be driven by hand while it is on the route %2. Stop it first.</source>
+        <translation>%1：正在路径 %2 上，无法手动驾驶。请先停止。</translation>
+    </message>
+    <message>
+        <source>%1: it cannot be driven by hand, as it is not in touch.</source>
+        <translation>%1：未建立联系，无法手动驾驶。</translation>
+    </message>
+    <message>
+        <source>%1: it was stopped. Let the keys go before you drive it by hand again.</source>
+        <translation>%1：已停止。请先松开按键，再重新手动驾驶。</translation>
+    </message>
+    <message>
+        <source>%1 is driven by hand.</source>
+        <translation>%1 正在手动驾驶。</translation>
+    </message>
+    <message>
+        <source>%1: it cannot do that while it drives. Stop it first.</source>
+        <translation>%1：行驶中无法执行此操作。请先停止。</translation>
+    </message>
+    <message>
+        <source>No vehicle has been heard for %1 s, though some were before: check the vehicles&apos; power, the aerials, the distance, and that the module&apos;s jumpers M0 and M1 are in normal mode (both 0).</source>
+        <translation>已有 %1 秒未收到任何车辆的信号，而此前曾收到：请检查车辆电源、天线、距离，以及模块的跳线 M0 和 M1 是否处于正常模式（均为 0）。</translation>
+    </message>
+    <message>
+        <source>Bytes come from the module, but no whole frame: its UART may run at another rate than the site&apos;s %1 baud. Read its parameters.</source>
+        <translation>收到模块的字节，但没有完整的帧：模块的 UART 速率可能与场地的 %1 波特不同。请读取模块参数。</translation>
+    </message>
+    <message>
+        <source>Bytes come from the module, but no whole frame: another sender is on the channel, or the vehicles&apos; air rate differs. Switch the other one off, or choose another channel.</source>
+        <translation>收到模块的字节，但没有完整的帧：信道上有其他发射机，或车辆的空中速率不同。请关闭其他发射机，或更换信道。</translation>
+    </message>
+    <message>
+        <source>Nothing is heard of any vehicle though the module matches the site: check the vehicles&apos; channel, their power, the aerials.</source>
+        <translation>模块与场地一致，但未收到任何车辆的信号：请检查车辆的信道、电源和天线。</translation>
+    </message>
+    <message>
+        <source>Nothing is heard of any vehicle: read the module&apos;s parameters to see whether they match the site, then put its jumpers M0 and M1 back to normal mode (both 0).</source>
+        <translation>未收到任何车辆的信号：请读取模块参数，检查是否与场地一致，然后将跳线 M0 和 M1 恢复为正常模式（均为 0）。</translation>
+    </message>
+    <message>
+        <source>The module is on channel %1, the site says %2: write the site&apos;s parameters.</source>
+        <translation>模块的信道为 %1，场地为 %2：请写入场地参数。</translation>
+    </message>
+    <message>
+        <source>The module&apos;s air rate is %1 kbit/s, the site says %2: write the site&apos;s parameters.</source>
+        <translation>模块的空中速率为 %1 kbit/s，场地为 %2：请写入场地参数。</translation>
+    </message>
+    <message>
+        <source>The module&apos;s UART runs at %1 baud, the site says %2: write the site&apos;s parameters.</source>
+        <translation>模块的 UART 速率为 %1 波特，场地为 %2：请写入场地参数。</translation>
+    </message>
+    <message>
+        <source>The module&apos;s UART has a parity bit, vehicles and site have none: write the site&apos;s parameters.</source>
+        <translation>模块的 UART 带校验位，车辆和场地均不带：请写入场地参数。</translation>
+    </message>
+    <message>
+        <source>The module has the address %1, those of the vehicles have %2: write the site&apos;s parameters.</source>
+        <translation>模块的地址为 %1，车辆模块的地址为 %2：请写入场地参数。</translation>
+    </message>
+    <message>
+        <source>The module takes the first bytes of each packet for an address (fixed transmission), which destroys frames: write the site&apos;s parameters.</source>
+        <translation>模块把每个数据包的首字节当作地址（定点传输），会破坏帧：请写入场地参数。</translation>
+    </message>
+    <message>
+        <source>The module&apos;s error correction is off, that of the vehicles is on, so that they do not hear each other: write the site&apos;s parameters.</source>
+        <translation>模块的纠错功能已关闭，而车辆的已打开，因此双方无法通信：请写入场地参数。</translation>
+    </message>
+    <message>
+        <source>A vehicle answers with another key than the site&apos;s, so the radio is right: pair it, or enter its key in the site.</source>
+        <translation>有车辆使用与场地不同的密钥应答，说明无线设置正确：请进行配对，或在场地中输入它的密钥。</translation>
+    </message>
+    <message>
+        <source>Vehicles are heard that the site does not have, so the radio is right: compare the vehicles&apos; addresses with the site&apos;s, or choose a channel that nobody else uses.</source>
+        <translation>收到不属于本场地的车辆的信号，说明无线设置正确：请核对车辆地址与场地是否一致，或换用无人使用的信道。</translation>
+    </message>
+    <message>
+        <source>The port %1 cannot be used: %2.</source>
+        <translation>无法使用端口 %1：%2。</translation>
+    </message>
+    <message>
+        <source>The lines RTS and DTR of %1 cannot be switched: set M0 and M1 by jumpers.</source>
+        <translation>无法切换 %1 的 RTS 和 DTR 信号线：请用跳线设置 M0 和 M1。</translation>
+    </message>
+    <message>
+        <source> The device server must speak 9600 baud, 8N1, for this.</source>
+        <translation>为此，串口服务器必须使用 9600 波特、8N1。</translation>
+    </message>
+    <message>
+        <source>The radio module on %1 does not answer: set M0 and M1 to 1 (on most boards by taking both jumpers off), check its power and that TXD and RXD are crossed, then try again.%2</source>
+        <translation>%1 上的无线模块无应答：请将 M0 和 M1 设为 1（多数板上取下两个跳线帽即可），检查电源以及 TXD 与 RXD 是否交叉连接，然后重试。%2</translation>
+    </message>
+    <message>
+        <source>Bytes come from %1, but the radio module does not answer: it seems to be in normal mode. Set M0 and M1 to 1 (on most boards by taking both jumpers off), then try again.%2</source>
+        <translation>收到来自 %1 的字节，但无线模块无应答：它似乎处于正常模式。请将 M0 和 M1 设为 1（多数板上取下两个跳线帽即可），然后重试。%2</translation>
+    </message>
+    <message>
+        <source>The radio module on %1 answers, but did not keep what was written: try again; if it stays like that, replace the module.</source>
+        <translation>%1 上的无线模块有应答，但未保存写入的内容：请重试；如果仍然如此，请更换模块。</translation>
+    </message>
+    <message>
+        <source>the other end does not read</source>
+        <translation>对方没有读取数据</translation>
+    </message>
+    <message>
+        <source>there is no such device</source>
+        <translation>没有此设备</translation>
+    </message>
+    <message>
+        <source>it is in use by another program, or you may not open it</source>
+        <translation>已被其他程序占用，或没有打开权限</translation>
+    </message>
+    <message>
+        <source>it is open already</source>
+        <translation>已经打开</translation>
+    </message>
+    <message>
+        <source>the device or the other end is gone</source>
+        <translation>设备或对方已断开</translation>
+    </message>
+    <message>
+        <source>the device server refuses the connection: its port number may be another one, or somebody else holds it</source>
+        <translation>串口服务器拒绝连接：端口号可能不同，或已被他人占用</translation>
+    </message>
+    <message>
+        <source>there is no host of this name in the network</source>
+        <translation>网络中没有此名称的主机</translation>
+    </message>
+    <message>
+        <source>the device server has closed the connection</source>
+        <translation>串口服务器已关闭连接</translation>
+    </message>
+    <message>
+        <source>the device server does not answer: check its power, its address and the network</source>
+        <translation>串口服务器无应答：请检查其电源、地址和网络</translation>
+    </message>
+    <message>
+        <source>the network does not reach the device server: check the cable and the address</source>
+        <translation>网络无法到达串口服务器：请检查网线和地址</translation>
+    </message>
+    <message>
+        <source>%1 has the new key.</source>
+        <translation>%1 已使用新密钥。</translation>
+    </message>
+    <message>
+        <source>%1 did not hear the new key and has the old one still: bring it nearer and try again.</source>
+        <translation>%1 未收到新密钥，仍使用旧密钥：请将其移近后重试。</translation>
+    </message>
+    <message>
+        <source>%1 takes no other key while it drives: stop it and try again.</source>
+        <translation>%1 行驶中不接受新密钥：请停止车辆后重试。</translation>
+    </message>
+    <message>
+        <source>The new key did not reach %1 whole; it has the old one still: try again.</source>
+        <translation>新密钥未完整送达 %1，车辆仍使用旧密钥：请重试。</translation>
+    </message>
+    <message>
+        <source>%1 could not keep the new key, as its memory fails, and may start with either: keep both keys and have its EEPROM looked at.</source>
+        <translation>%1 因存储器故障无法保存新密钥，启动后可能使用任一密钥：请保留两个密钥，并检修其 EEPROM。</translation>
+    </message>
+    <message>
+        <source>%1 has not confirmed the new key; it is called with both keys until it answers. Keep both.</source>
+        <translation>%1 尚未确认新密钥；将用两个密钥呼叫，直到其应答。请保留两个密钥。</translation>
+    </message>
+    <message>
+        <source>%1: it is being given a key already, or too many requests are waiting.</source>
+        <translation>%1：正在更换密钥，或等待处理的请求过多。</translation>
+    </message>
+    <message>
+        <source>%1 can be given another key only while it is connected.</source>
+        <translation>%1 只有在已连接时才能更换密钥。</translation>
+    </message>
+    <message>
+        <source>%1 drives; stop it before you give it another key.</source>
+        <translation>%1 正在行驶；请先停止，再更换密钥。</translation>
+    </message>
+</context>
+<context>
+    <name>FloorCanvas</name>
+    <message>
+        <source>N</source>
+        <comment>north, on the map&apos;s compass</comment>
+        <translation>北</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 分钟</translation>
+    </message>
+    <message>
+        <source>%1, %2 ago</source>
+        <comment>a vehicle&apos;s name, how long ago it was last heard</comment>
+        <translation>%1，%2前</translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>The site could not be opened.</source>
+        <translation>无法打开场地。</translation>
+    </message>
+</context>
+<context>
+    <name>RouteEdits</name>
+    <message>
+        <source>Route %1</source>
+        <translation>路径 %1</translation>
+    </message>
+    <message>
+        <source>There is no route called “%1” any more.</source>
+        <translation>名为“%1”的路径已不存在。</translation>
+    </message>
+    <message>
+        <source>A route needs at least two vertices.</source>
+        <translation>路径至少需要两个顶点。</translation>
+    </message>
+    <message>
+        <source>Draw %1</source>
+        <translation>绘制 %1</translation>
+    </message>
+    <message>
+        <source>%1 (copy)</source>
+        <translation>%1（副本）</translation>
+    </message>
+    <message>
+        <source>%1 (copy %2)</source>
+        <translation>%1（副本 %2）</translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation>复制 %1</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>删除 %1</translation>
+    </message>
+    <message>
+        <source>A route needs a name.</source>
+        <translation>路径需要名称。</translation>
+    </message>
+    <message>
+        <source>This name is too long for a route.</source>
+        <translation>此名称对路径来说过长。</translation>
+    </message>
+    <message>
+        <source>There is a route called “%1” already.</source>
+        <translation>已有名为“%1”的路径。</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>重命名 %1</translation>
+    </message>
+    <message>
+        <source>Reverse %1</source>
+        <translation>反向 %1</translation>
+    </message>
+    <message>
+        <source>Space control points of %1</source>
+        <translation>设置 %1 的控制点间距</translation>
+    </message>
+    <message>
+        <source>Move vertex %1 of %2</source>
+        <translation>移动 %2 的顶点 %1</translation>
+    </message>
+    <message>
+        <source>This route has as many vertices as a route may have.</source>
+        <translation>此路径的顶点数已达上限。</translation>
+    </message>
+    <message>
+        <source>Insert vertex into %1</source>
+        <translation>在 %1 中插入顶点</translation>
+    </message>
+    <message>
+        <source>A route needs two vertices; to remove it, delete the route.</source>
+        <translation>路径需要两个顶点；要去掉它，请删除路径。</translation>
+    </message>
+    <message>
+        <source>Delete vertex %1 of %2</source>
+        <translation>删除 %2 的顶点 %1</translation>
+    </message>
+</context>
+<context>
+    <name>Wording</name>
+    <message>
+        <source>Unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Calling</source>
+        <translation>呼叫中</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>已连接</translation>
+    </message>
+    <message>
+        <source>Silent</source>
+        <translation>无应答</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>被拒绝</translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation>空闲</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>运行中</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>已暂停</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>已停止</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>Driven by hand</source>
+        <translation>手动驾驶</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>已关闭</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>已打开</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>已断开</translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation>已发送</translation>
+    </message>
+    <message>
+        <source>Acknowledged</source>
+        <translation>已确认</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>Expired</source>
+        <translation>已过期</translation>
+    </message>
+    <message>
+        <source>Info</source>
+        <translation>信息</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>Standing</source>
+        <translation>静止</translation>
+    </message>
+    <message>
+        <source>Driving</source>
+        <translation>行驶中</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>转向中</translation>
+    </message>
+    <message>
+        <source>Before an obstacle</source>
+        <translation>前方有障碍物</translation>
+    </message>
+    <message>
+        <source>Stopped by itself</source>
+        <translation>已自行停车</translation>
+    </message>
+    <message>
+        <source>Calibrating</source>
+        <translation>校准中</translation>
+    </message>
+    <message>
+        <source>Faulted</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>Motor stalled</source>
+        <translation>电机堵转</translation>
+    </message>
+    <message>
+        <source>Wheel encoder</source>
+        <translation>车轮编码器</translation>
+    </message>
+    <message>
+        <source>No compass</source>
+        <translation>罗盘无应答</translation>
+    </message>
+    <message>
+        <source>Magnetic field</source>
+        <translation>磁场异常</translation>
+    </message>
+    <message>
+        <source>Tag reader</source>
+        <translation>读卡器</translation>
+    </message>
+    <message>
+        <source>Battery low</source>
+        <translation>电池电量低</translation>
+    </message>
+    <message>
+        <source>Settings&apos; memory</source>
+        <translation>设置存储器</translation>
+    </message>
+    <message>
+        <source>Restarted by watchdog</source>
+        <translation>看门狗重启</translation>
+    </message>
+    <message>
+        <source>Radio module</source>
+        <translation>无线模块</translation>
+    </message>
+    <message>
+        <source>Forged command</source>
+        <translation>伪造的指令</translation>
+    </message>
+    <message>
+        <source>Replayed command</source>
+        <translation>重放的指令</translation>
+    </message>
+    <message>
+        <source>Tag reads dropped</source>
+        <translation>标签读取记录丢弃</translation>
+    </message>
+    <message>
+        <source>Ranger</source>
+        <translation>测距传感器</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::desktop::MainWindow</name>
+    <message>
+        <source>x %1 m, y %2 m</source>
+        <translation>x %1 m，y %2 m</translation>
+    </message>
+    <message>
+        <source>%1[*] – Tessera</source>
+        <translation>%1[*] – Tessera</translation>
+    </message>
+    <message>
+        <source>Unnamed site</source>
+        <translation>未命名场地</translation>
+    </message>
+    <message>
+        <source>Tessera</source>
+        <translation>Tessera</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>未连接</translation>
+    </message>
+    <message>
+        <source>The simulated world is being set up…</source>
+        <translation>正在建立演示环境…</translation>
+    </message>
+    <message>
+        <source>The vehicles are being stopped…</source>
+        <translation>正在停止车辆…</translation>
+    </message>
+    <message>
+        <source>The simulated world has no radio module until it is connected: choose Connect first.</source>
+        <translation>演示环境在连接之前没有无线模块：请先选择“连接”。</translation>
+    </message>
+    <message>
+        <source>The radio module is being set</source>
+        <translation>正在设置无线模块</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::desktop::SiteFiles</name>
+    <message>
+        <source>Open a site</source>
+        <translation>打开场地</translation>
+    </message>
+    <message>
+        <source>Sites (*%1);;All files (*)</source>
+        <translation>场地 (*%1);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>The demo floor is not there</source>
+        <translation>找不到演示场地</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the site:</source>
+        <translation>场地名称(&amp;N)：</translation>
+    </message>
+    <message>
+        <source>The site could not be opened</source>
+        <translation>无法打开场地</translation>
+    </message>
+    <message>
+        <source>Restore unsaved changes</source>
+        <translation>恢复未保存的更改</translation>
+    </message>
+    <message>
+        <source>Unsaved changes were kept</source>
+        <translation>存在未保存的更改</translation>
+    </message>
+    <message>
+        <source>When %1 was open last, the program ended before its changes were saved. Take them up again?</source>
+        <translation>上次打开 %1 时，程序在保存更改之前结束。要恢复这些更改吗？</translation>
+    </message>
+    <message>
+        <source>&amp;Take them up</source>
+        <translation>恢复(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Forget them</source>
+        <translation>丢弃(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Save the site</source>
+        <translation>保存场地</translation>
+    </message>
+    <message>
+        <source>Sites (*%1)</source>
+        <translation>场地 (*%1)</translation>
+    </message>
+    <message>
+        <source>The site could not be saved</source>
+        <translation>无法保存场地</translation>
+    </message>
+    <message>
+        <source>Rename the site</source>
+        <translation>重命名场地</translation>
+    </message>
+    <message>
+        <source>Rename site</source>
+        <translation>重命名场地</translation>
+    </message>
+    <message>
+        <source>The site could not be renamed</source>
+        <translation>无法重命名场地</translation>
+    </message>
+    <message>
+        <source>Save the changes?</source>
+        <translation>是否保存更改？</translation>
+    </message>
+    <message>
+        <source>The site “%1” has changes that are not saved.</source>
+        <translation>场地“%1”有未保存的更改。</translation>
+    </message>
+    <message>
+        <source>The site could not be made</source>
+        <translation>无法创建场地</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::desktop::WindowActions</name>
+    <message>
+        <source>&amp;Site</source>
+        <translation>场地(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Veh&amp;icle</source>
+        <translation>车辆(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Connection</source>
+        <translation>连接(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>打开最近的场地(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Shown on the floor</source>
+        <translation>地面显示内容(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>面板(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>语言(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>外观(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>工具栏</translation>
+    </message>
+    <message>
+        <source>&amp;Demo floor</source>
+        <translation>演示场地(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;New…</source>
+        <translation>新建(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>打开(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>另存为(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Rena&amp;me site…</source>
+        <translation>重命名场地(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>退出(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>放大(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>缩小(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Whole floor</source>
+        <translation>显示全场(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Follow the vehicle</source>
+        <translation>跟随车辆(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Tags</source>
+        <translation>标签(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Zones</source>
+        <translation>区域(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>T&amp;rails</source>
+        <translation>轨迹(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Uncertainty</source>
+        <translation>不确定度(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>网格(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Look around</source>
+        <translation>浏览(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Draw a route</source>
+        <translation>绘制路径(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Connect…</source>
+        <translation>连接(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>断开连接(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Radio module of this computer…</source>
+        <translation>本机的无线模块(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>&amp;Set up a new vehicle…</source>
+        <translation>设置新车辆(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>&amp;Change the chosen vehicle…</source>
+        <translation>更改所选车辆(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Drive by &amp;hand…</source>
+        <translation>手动驾驶(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>Stop a&amp;ll (F12)</source>
+        <translation>全部停止（F12）(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Help for this view</source>
+        <translation>当前视图的帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;About Tessera</source>
+        <translation>关于 Tessera(&amp;A)</translation>
+    </message>
+    <message>
+        <source>As the &amp;desktop</source>
+        <translation>跟随系统(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>浅色(&amp;L)</translation>
+    </message>
+    <message>
+        <source>D&amp;ark</source>
+        <translation>深色(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Stop all vehicles, then close the port</source>
+        <translation>停止所有车辆，然后关闭端口</translation>
+    </message>
+    <message>
+        <source>Keep the chosen vehicle in view (%1)</source>
+        <translation>使所选车辆始终处于视野内（%1）</translation>
+    </message>
+    <message>
+        <source>Click the route&apos;s vertices on the floor (%1)</source>
+        <translation>在地面上依次点击路径的顶点（%1）</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>撤销(&amp;U)：%1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>重做(&amp;R)：%1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Change routes</source>
+        <translation>修改路径(&amp;C)</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::desktop::WindowPanels</name>
+    <message>
+        <source>Vehicles</source>
+        <translation>车辆</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>行驶</translation>
+    </message>
+    <message>
+        <source>Routes</source>
+        <translation>路径</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::AboutDialog</name>
+    <message>
+        <source>About Tessera</source>
+        <translation>关于 Tessera</translation>
+    </message>
+    <message>
+        <source>Tessera</source>
+        <translation>Tessera</translation>
+    </message>
+    <message>
+        <source>Version %1</source>
+        <translation>版本 %1</translation>
+    </message>
+    <message>
+        <source>Watches and guides automated vehicles that find their way by RFID tags in a tile floor. Free software under the GNU General Public License, version 3 or later; it comes without any warranty.</source>
+        <translation>监控并引导依靠地板砖中的 RFID 电子标签定位的自动导引车辆。本软件是自由软件，依据 GNU 通用公共许可证第 3 版或更高版本发布，不提供任何担保。</translation>
+    </message>
+    <message>
+        <source>&amp;Made of</source>
+        <translation>组成部分(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Licence</source>
+        <translation>许可证(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Software that Tessera is made of</source>
+        <translation>Tessera 的软件组成</translation>
+    </message>
+    <message>
+        <source>Text of the licence</source>
+        <translation>许可证正文</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>组件</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>版本</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>许可证</translation>
+    </message>
+    <message>
+        <source>Serves for</source>
+        <translation>用途</translation>
+    </message>
+    <message>
+        <source>&amp;Copy versions</source>
+        <translation>复制版本信息(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copy the versions for a report</source>
+        <translation>复制版本信息，用于问题报告</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::AskSeries</name>
+    <message>
+        <source>No answer came. Check the connection.</source>
+        <translation>未收到应答。请检查连接。</translation>
+    </message>
+    <message>
+        <source>Not connected. Connect to the vehicles and try again.</source>
+        <translation>未连接。请先连接车辆，然后重试。</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::CommissionWizard</name>
+    <message>
+        <source>The vehicle has already taken its new key. Without this site it will obey nobody until it is reset. Give it up all the same?</source>
+        <translation>车辆已启用新密钥。如果不保存到本场地，在复位之前车辆将不接受任何指令。仍要放弃吗？</translation>
+    </message>
+    <message>
+        <source>Give up</source>
+        <translation>放弃</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>继续设置</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Name and address</source>
+        <translation>名称和地址</translation>
+    </message>
+    <message>
+        <source>Summary</source>
+        <translation>摘要</translation>
+    </message>
+    <message>
+        <source>Set up a vehicle</source>
+        <translation>设置车辆</translation>
+    </message>
+    <message>
+        <source>Set up %1 again</source>
+        <translation>重新设置 %1</translation>
+    </message>
+    <message>
+        <source>&lt; &amp;Back</source>
+        <translation>&lt; 上一步(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Next &gt;</source>
+        <translation>下一步(&amp;N) &gt;</translation>
+    </message>
+    <message>
+        <source>&amp;Finish</source>
+        <translation>完成(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>步骤</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::Commissioning</name>
+    <message>
+        <source>Add vehicle %1</source>
+        <translation>添加车辆 %1</translation>
+    </message>
+    <message>
+        <source>Change vehicle %1</source>
+        <translation>更改车辆 %1</translation>
+    </message>
+    <message>
+        <source>Take back vehicle %1</source>
+        <translation>撤回车辆 %1</translation>
+    </message>
+    <message>
+        <source>Not connected. Connect to the vehicles to go on here.</source>
+        <translation>未连接。请先连接车辆，再继续此步骤。</translation>
+    </message>
+    <message>
+        <source>The port is not open. Check the cable and connect anew.</source>
+        <translation>端口未打开。请检查线缆并重新连接。</translation>
+    </message>
+    <message>
+        <source>The supervision does not know %1 yet. Wait a moment, or connect anew.</source>
+        <translation>上位机尚未识别 %1。请稍候，或重新连接。</translation>
+    </message>
+    <message>
+        <source>Calling %1: no answer yet. Is it switched on, flashed and set to address %2 and this radio channel?</source>
+        <translation>正在呼叫 %1：尚无应答。车辆是否已开机、已烧录固件，并已设为地址 %2 和当前无线信道？</translation>
+    </message>
+    <message>
+        <source>%1 has fallen silent. Is it still switched on and in reach of the radio?</source>
+        <translation>%1 已失去联系。车辆是否仍处于开机状态，并在无线覆盖范围内？</translation>
+    </message>
+    <message>
+        <source>%1 answers, but with another key (or another version of the protocol). Go back to the key and pair it, or type the key that it has.</source>
+        <translation>%1 有应答，但密钥不同（或协议版本不同）。请返回密钥步骤进行配对，或输入该车辆现有的密钥。</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::CompassPage</name>
+    <message>
+        <source>Calibration stopped; the vehicle keeps its old calibration.</source>
+        <translation>校准已停止，车辆保留原有校准。</translation>
+    </message>
+    <message>
+        <source>The vehicle turns on the spot…</source>
+        <translation>车辆正在原地转动…</translation>
+    </message>
+    <message>
+        <source>The vehicle drives or calibrates already. Stop it, then try again.</source>
+        <translation>车辆正在行驶或校准。请先停止车辆，然后重试。</translation>
+    </message>
+    <message>
+        <source>The vehicle refuses, as it has a fault. Clear the fault, then try again.</source>
+        <translation>车辆存在故障，拒绝执行。请清除故障，然后重试。</translation>
+    </message>
+    <message>
+        <source>Calibrated. Now the needle must point to north when the nose does.</source>
+        <translation>校准完成。此时车头朝北，指针也应指向北。</translation>
+    </message>
+    <message>
+        <source>The calibration failed: the field was not even enough. Move the vehicle away from steel and cables and try again; it needs room for a full turn.</source>
+        <translation>校准失败：磁场不够均匀。请将车辆移到远离钢铁和电缆的地方后重试；车辆需要足够空间转动一整圈。</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <comment>no value</comment>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>The compass</source>
+        <translation>罗盘</translation>
+    </message>
+    <message>
+        <source>Turn the vehicle by hand until its nose points to north: the needle must follow.</source>
+        <translation>用手转动车辆，使车头朝北：指针应随之转动。</translation>
+    </message>
+    <message>
+        <source>If the needle is off by more than about 10°, calibrate: the vehicle turns on the spot by itself for up to a minute. Put it on the floor, away from steel, with a metre of free room all around, and keep hands and feet away.</source>
+        <translation>如果指针偏差超过约 10°，请进行校准：车辆将自行原地转动，最长约一分钟。请将车辆放在地面上，远离钢铁，四周各留出一米空间，手脚不要靠近车辆。</translation>
+    </message>
+    <message>
+        <source>The needle is &amp;right</source>
+        <translation>指针正确(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Ca&amp;librate now</source>
+        <translation>立即校准(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>停止(&amp;S)</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::Condition</name>
+    <message>
+        <source>%1 has not answered yet. Check that it is switched on and within reach of the radio.</source>
+        <translation>%1 尚未应答。请检查车辆是否已开机并在无线覆盖范围内。</translation>
+    </message>
+    <message>
+        <source>%1 no longer answers. It stops by itself; check its power and the radio.</source>
+        <translation>%1 不再应答。车辆会自行停车；请检查其电源和无线链路。</translation>
+    </message>
+    <message>
+        <source>%1 answers, but with another key or protocol version. Set it up again for this site.</source>
+        <translation>%1 有应答，但密钥或协议版本不同。请为本场地重新设置该车辆。</translation>
+    </message>
+    <message>
+        <source>%1 stands before an obstacle.</source>
+        <translation>%1 前方有障碍物，已停车。</translation>
+    </message>
+    <message>
+        <source>%1 calibrates its compass.</source>
+        <translation>%1 正在校准罗盘。</translation>
+    </message>
+    <message>
+        <source>%1 is driven by hand.</source>
+        <translation>%1 正在手动驾驶。</translation>
+    </message>
+    <message>
+        <source>%1 pauses. Resume lets it go on from here.</source>
+        <translation>%1 已暂停。选择“继续”可从此处继续行驶。</translation>
+    </message>
+    <message>
+        <source>%1 has reached the end of its route.</source>
+        <translation>%1 已到达路径终点。</translation>
+    </message>
+    <message>
+        <source>%1 was stopped. Run lets it drive again.</source>
+        <translation>%1 已停止。选择“运行”可重新行驶。</translation>
+    </message>
+    <message>
+        <source>%1 is ready. Choose a route and run it.</source>
+        <translation>%1 已就绪。请选择路径并运行。</translation>
+    </message>
+    <message>
+        <source>The place of %1 is not known. Put it where it reads tags.</source>
+        <translation>%1 的位置未知。请将其放到能读到标签的地方。</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>被拒绝</translation>
+    </message>
+    <message>
+        <source>Silent</source>
+        <translation>无应答</translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation>障碍物</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>等待</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>未连接</translation>
+    </message>
+    <message>
+        <source>Calling</source>
+        <translation>呼叫中</translation>
+    </message>
+    <message>
+        <source>Calibrating</source>
+        <translation>校准中</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>已暂停</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>运行中</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <comment>driven by keys</comment>
+        <translation>手动</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>已停止</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>Arrived</source>
+        <translation>已到达</translation>
+    </message>
+    <message>
+        <source>There is no connection to the vehicles. Connect first.</source>
+        <translation>尚未连接车辆。请先连接。</translation>
+    </message>
+    <message>
+        <source>%1 is held by a fault (%2). Remove the cause, then clear the fault.</source>
+        <translation>%1 因故障停车（%2）。请排除原因，然后清除故障。</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between faults</comment>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>%1 drives along the route %2.</source>
+        <translation>%1 正沿路径 %2 行驶。</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::ConnectDialog</name>
+    <message>
+        <source>Connect to the vehicles</source>
+        <translation>连接车辆</translation>
+    </message>
+    <message>
+        <source>The vehicles are reached by radio, through a module at one of this computer&apos;s ports.</source>
+        <translation>上位机通过接在本机端口上的无线模块与车辆通信。</translation>
+    </message>
+    <message>
+        <source>&amp;Demo world</source>
+        <translation>演示环境(&amp;D)</translation>
+    </message>
+    <message>
+        <source>The site&apos;s vehicles, floor and radio are simulated on this computer. No hardware is needed.</source>
+        <translation>在本机上模拟场地的车辆、地面和无线通信，无需任何硬件。</translation>
+    </message>
+    <message>
+        <source>&amp;Serial port</source>
+        <translation>串口(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Network (TCP)</source>
+        <translation>网络（TCP）(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Connect</source>
+        <translation>连接(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::ContactPage</name>
+    <message>
+        <source>–</source>
+        <comment>no value</comment>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1 of %2 answer</source>
+        <translation>%2 个中有 %1 个应答</translation>
+    </message>
+    <message>
+        <source>%1 V</source>
+        <translation>%1 V</translation>
+    </message>
+    <message>
+        <source>%1 s ago</source>
+        <translation>%1 s 前</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between faults</comment>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>%1 is in contact, but many answers are lost. Check the antennas, the distance, and whether another transmitter uses this channel.</source>
+        <translation>%1 已建立通信，但丢失的应答较多。请检查天线和距离，并确认是否有其他发射设备占用此信道。</translation>
+    </message>
+    <message>
+        <source>%1 is in contact and bears the site&apos;s key.</source>
+        <translation>%1 已建立通信，并持有本场地的密钥。</translation>
+    </message>
+    <message>
+        <source>Contact over the air</source>
+        <translation>无线通信</translation>
+    </message>
+    <message>
+        <source>Switch the vehicle on. It is called every few seconds until it answers.</source>
+        <translation>请打开车辆电源。上位机每隔几秒呼叫一次，直到车辆应答。</translation>
+    </message>
+    <message>
+        <source>Firmware:</source>
+        <translation>固件：</translation>
+    </message>
+    <message>
+        <source>Readers:</source>
+        <translation>读卡器：</translation>
+    </message>
+    <message>
+        <source>Battery:</source>
+        <translation>电池：</translation>
+    </message>
+    <message>
+        <source>Last heard:</source>
+        <translation>最近通信：</translation>
+    </message>
+    <message>
+        <source>Round trip:</source>
+        <translation>往返时间：</translation>
+    </message>
+    <message>
+        <source>Lost answers:</source>
+        <translation>丢失的应答：</translation>
+    </message>
+    <message>
+        <source>Faults:</source>
+        <translation>故障：</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::DrivePage</name>
+    <message>
+        <source>The order was not taken: no supervision runs. Connect anew.</source>
+        <translation>指令未被接受：上位机监控未运行。请重新连接。</translation>
+    </message>
+    <message>
+        <source>The site has no route yet. Draw one on the floor, and make the first drive from the main window.</source>
+        <translation>场地中还没有路径。请在地面上绘制一条路径，然后在主窗口中进行首次行驶。</translation>
+    </message>
+    <message>
+        <source>Its place is not known yet. Drive it by hand over a few tags of the floor (one step back).</source>
+        <translation>车辆位置尚不明确。请返回上一步，手动驾驶车辆经过地面上的几个标签。</translation>
+    </message>
+    <message>
+        <source>The route&apos;s end was reached. The vehicle is ready.</source>
+        <translation>已到达路径终点。车辆准备就绪。</translation>
+    </message>
+    <message>
+        <source>Stopped before the route&apos;s end. Run it again, or skip this step.</source>
+        <translation>车辆在到达路径终点前停止。请再次运行，或跳过此步骤。</translation>
+    </message>
+    <message>
+        <source>First drive</source>
+        <translation>首次行驶</translation>
+    </message>
+    <message>
+        <source>A short route, slowly. Stay near the vehicle, with a hand on its emergency stop.</source>
+        <translation>低速行驶一条短路径。请留在车辆旁边，并将手放在急停按钮上。</translation>
+    </message>
+    <message>
+        <source>R&amp;oute:</source>
+        <translation>路径(&amp;O)：</translation>
+    </message>
+    <message>
+        <source>no routes</source>
+        <translation>无路径</translation>
+    </message>
+    <message>
+        <source>Sp&amp;eed:</source>
+        <translation>速度(&amp;E)：</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>运行(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>停止(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Progress along the route</source>
+        <translation>路径进度</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::EventModel</name>
+    <message>
+        <source>Vehicle %1</source>
+        <translation>车辆 %1</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>date, time of day</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Vehicle</source>
+        <translation>车辆</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>事件</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::EventPanel</name>
+    <message>
+        <source>Everything</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Warnings and errors</source>
+        <translation>警告和错误</translation>
+    </message>
+    <message>
+        <source>Errors only</source>
+        <translation>仅错误</translation>
+    </message>
+    <message>
+        <source>How serious an event must be to be listed.</source>
+        <translation>列出达到所选严重程度的事件。</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>严重程度</translation>
+    </message>
+    <message>
+        <source>Whose events are listed.</source>
+        <translation>列出所选车辆的事件。</translation>
+    </message>
+    <message>
+        <source>Vehicle</source>
+        <translation>车辆</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Go to the newest event and stay there.</source>
+        <translation>转到最新事件并保持跟随。</translation>
+    </message>
+    <message>
+        <source>Go to the end</source>
+        <translation>转到末尾</translation>
+    </message>
+    <message>
+        <source>Copy the selected events, or all that are listed (%1)</source>
+        <translation>复制所选事件，未选择时复制列出的全部事件（%1）</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Empty this list. The journal keeps what happened.</source>
+        <translation>清空此列表。事件记录仍会保留。</translation>
+    </message>
+    <message>
+        <source>Empty the list</source>
+        <translation>清空列表</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>All vehicles</source>
+        <translation>所有车辆</translation>
+    </message>
+    <message>
+        <source>No event matches what is asked for above.</source>
+        <translation>没有符合上述条件的事件。</translation>
+    </message>
+    <message>
+        <source>Show &amp;all</source>
+        <translation>全部显示(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Nothing has happened yet. What vehicles do and what goes wrong is told here.</source>
+        <translation>尚无事件。车辆的动作和异常情况将显示在这里。</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::FlashPage</name>
+    <message>
+        <source>Firmware onto the vehicle&apos;s board</source>
+        <translation>将固件烧录到车辆的电路板</translation>
+    </message>
+    <message>
+        <source>For a board with the microcontroller LM3S6965. Skip this if the vehicle has its firmware.</source>
+        <translation>适用于采用 LM3S6965 微控制器的电路板。如果车辆已有固件，请跳过此步骤。</translation>
+    </message>
+    <message>
+        <source>Connect the board&apos;s debug port to this computer by USB, lift the vehicle&apos;s wheels off the floor, and run in the folder of the firmware (tessera-vehicle.elf):</source>
+        <translation>用 USB 将电路板的调试接口连接到本机，将车辆抬起使车轮离地，然后在固件（tessera-vehicle.elf）所在的文件夹中运行：</translation>
+    </message>
+    <message>
+        <source>With Open&amp;OCD (boards like the EK-LM3S6965; Debian package openocd):</source>
+        <translation>使用 OpenOCD（适用于 EK-LM3S6965 等电路板；Debian 软件包 openocd）(&amp;O)：</translation>
+    </message>
+    <message>
+        <source>With lm&amp;4flash (boards whose debugger is a Stellaris ICDI), first make a plain image:</source>
+        <translation>使用 lm4flash（适用于调试器为 Stellaris ICDI 的电路板），先生成二进制镜像(&amp;4)：</translation>
+    </message>
+    <message>
+        <source>and write &amp;it:</source>
+        <translation>然后写入镜像(&amp;I)：</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Copy the command</source>
+        <translation>复制命令</translation>
+    </message>
+    <message>
+        <source>The firmware is on the board</source>
+        <translation>固件已烧录到电路板</translation>
+    </message>
+    <message>
+        <source>No vehicle at hand? Connect to the demo world: it simulates every vehicle of the site with the same firmware, this one too, and needs no flashing.</source>
+        <translation>手边没有车辆？请连接演示环境：它使用相同的固件模拟场地中的所有车辆，包括这一辆，无需烧录。</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::FloorCanvas</name>
+    <message>
+        <source>%1
+x %2 m, y %3 m, %4 m/s</source>
+        <translation>%1
+x %2 m，y %3 m，%4 m/s</translation>
+    </message>
+    <message>
+        <source>Tag %1
+x %2 m, y %3 m</source>
+        <translation>标签 %1
+x %2 m，y %3 m</translation>
+    </message>
+    <message>
+        <source>There is no floor to show yet.</source>
+        <translation>尚无可显示的地面。</translation>
+    </message>
+    <message>
+        <source>Open a site that has tiles, or look around on the demo floor first.</source>
+        <translation>请打开包含地板砖的场地，或先浏览演示场地。</translation>
+    </message>
+    <message>
+        <source>Floor map</source>
+        <translation>地面地图</translation>
+    </message>
+    <message>
+        <source>Tiles, tags, zones, routes and vehicles of the site.</source>
+        <translation>场地的地板砖、标签、区域、路径和车辆。</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::HeadingDial</name>
+    <message>
+        <source>Compass dial</source>
+        <translation>罗盘表盘</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>北</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>东</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>南</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>西</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::HelpPages</name>
+    <message>
+        <source>en</source>
+        <comment>folder of the help pages in this language: en or zh_CN</comment>
+        <translation>zh_CN</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::HelpWindow</name>
+    <message>
+        <source>Tessera help</source>
+        <translation>Tessera 帮助</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>页面导航</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>action, key</comment>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>后退</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>前进</translation>
+    </message>
+    <message>
+        <source>First page</source>
+        <translation>首页</translation>
+    </message>
+    <message>
+        <source>Search the help</source>
+        <translation>搜索帮助</translation>
+    </message>
+    <message>
+        <source>No page holds these words.</source>
+        <translation>没有包含这些词语的页面。</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目录</translation>
+    </message>
+    <message>
+        <source>Help page</source>
+        <translation>帮助页面</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::JogDialog</name>
+    <message>
+        <source>No vehicle</source>
+        <translation>无车辆</translation>
+    </message>
+    <message>
+        <source>Drive by hand</source>
+        <translation>手动驾驶</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::JogPad</name>
+    <message>
+        <source>Not connected. Connect to the vehicles first.</source>
+        <translation>未连接。请先连接车辆。</translation>
+    </message>
+    <message>
+        <source>Choose a vehicle first.</source>
+        <translation>请先选择车辆。</translation>
+    </message>
+    <message>
+        <source>%1 is not in contact.</source>
+        <translation>%1 未建立通信。</translation>
+    </message>
+    <message>
+        <source>%1 has a route. Stop it first, then drive by hand.</source>
+        <translation>%1 正在执行路径。请先停止，再手动驾驶。</translation>
+    </message>
+    <message>
+        <source>The order was not taken. Let go and try again.</source>
+        <translation>指令未被接受。请松开后重试。</translation>
+    </message>
+    <message>
+        <source>Driving. Let go to stop.</source>
+        <translation>正在行驶。松开即停止。</translation>
+    </message>
+    <message>
+        <source>Hold an arrow key or an arrow button to move. Let go to stop.</source>
+        <translation>按住方向键或箭头按钮移动车辆，松开即停止。</translation>
+    </message>
+    <message>
+        <source>Hold an arrow button to move, or click here and hold an arrow key. Let go to stop.</source>
+        <translation>按住箭头按钮移动车辆，或点击此处后按住方向键。松开即停止。</translation>
+    </message>
+    <message>
+        <source>Drive by hand</source>
+        <translation>手动驾驶</translation>
+    </message>
+    <message>
+        <source>Forwards (↑)</source>
+        <translation>前进（↑）</translation>
+    </message>
+    <message>
+        <source>Backwards (↓)</source>
+        <translation>后退（↓）</translation>
+    </message>
+    <message>
+        <source>Turn left (←)</source>
+        <translation>左转（←）</translation>
+    </message>
+    <message>
+        <source>Turn right (→)</source>
+        <translation>右转（→）</translation>
+    </message>
+    <message>
+        <source>%1: moves while it is held</source>
+        <translation>%1：按住时移动</translation>
+    </message>
+    <message>
+        <source>&amp;Speed: %1 m/s</source>
+        <translation>速度(&amp;S)：%1 m/s</translation>
+    </message>
+    <message>
+        <source>Speed by hand</source>
+        <translation>手动驾驶速度</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::JogPage</name>
+    <message>
+        <source>Measured by its wheels: %1 m/s</source>
+        <translation>车轮实测速度：%1 m/s</translation>
+    </message>
+    <message>
+        <source>Drive by hand</source>
+        <translation>手动驾驶</translation>
+    </message>
+    <message>
+        <source>Put the vehicle on the floor with free room around it, and move it a little each way.</source>
+        <translation>将车辆放在地面上，四周留出空间，然后向各个方向稍微移动。</translation>
+    </message>
+    <message>
+        <source>If it goes backwards when it should go forwards, a motor is connected the wrong way round; if it turns the wrong way, the motors are swapped.</source>
+        <translation>如果应前进时车辆后退，说明有电机接反；如果转动方向相反，说明左右电机接错。</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::JumperPicture</name>
+    <message>
+        <source>Both off: settings</source>
+        <translation>均取下：设置</translation>
+    </message>
+    <message>
+        <source>Both on: service</source>
+        <translation>均插上：工作</translation>
+    </message>
+    <message>
+        <source>Picture: the jumpers M0 and M1 are taken off</source>
+        <translation>图示：跳线 M0 和 M1 已取下</translation>
+    </message>
+    <message>
+        <source>Picture: the jumpers M0 and M1 are in place</source>
+        <translation>图示：跳线 M0 和 M1 已插上</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::KeyPage</name>
+    <message numerus="yes">
+        <source>A key has 32 hexadecimal digits (0–9, A–F); here are %n.</source>
+        <translation>
+            <numerusform>密钥应为 32 位十六进制数字（0–9、A–F），当前为 %n 位。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The site now uses this key. Waiting for the vehicle…</source>
+        <translation>场地已启用此密钥。正在等待车辆…</translation>
+    </message>
+    <message>
+        <source>Vehicle and site share this key.</source>
+        <translation>车辆与场地的密钥一致。</translation>
+    </message>
+    <message>
+        <source>The vehicle&apos;s key</source>
+        <translation>车辆密钥</translation>
+    </message>
+    <message>
+        <source>Vehicle and site share a secret key; a vehicle obeys nobody without it.</source>
+        <translation>车辆与场地共用一个密钥；没有该密钥，车辆不接受任何指令。</translation>
+    </message>
+    <message>
+        <source>The key stands in the site&apos;s file: keep that as you would a password.</source>
+        <translation>密钥保存在场地文件中，请像保管密码一样保管该文件。</translation>
+    </message>
+    <message>
+        <source>&amp;Pair: give the vehicle a new random key over the air</source>
+        <translation>配对：通过无线为车辆设置新的随机密钥(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Pair &amp;now</source>
+        <translation>立即配对(&amp;N)</translation>
+    </message>
+    <message>
+        <source>The vehicle has a &amp;key that I know</source>
+        <translation>车辆已有密钥，且我知道该密钥(&amp;K)</translation>
+    </message>
+    <message>
+        <source>32 hexadecimal digits</source>
+        <translation>32 位十六进制数字</translation>
+    </message>
+    <message>
+        <source>&amp;Use this key</source>
+        <translation>使用此密钥(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Key of this vehicle in the site:</source>
+        <translation>场地中此车辆的密钥：</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation>显示(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>The vehicle has its key; nobody else knows it. Waiting for contact…</source>
+        <translation>车辆已取得密钥，其他人均不知道该密钥。正在等待通信…</translation>
+    </message>
+    <message>
+        <source>Pairing was given up.</source>
+        <translation>已放弃配对。</translation>
+    </message>
+    <message>
+        <source>Give up pairi&amp;ng</source>
+        <translation>放弃配对(&amp;N)</translation>
+    </message>
+    <message>
+        <source>The vehicle still has the factory&apos;s key, which everybody knows. Pair it now.</source>
+        <translation>车辆仍在使用众所周知的出厂密钥。请立即配对。</translation>
+    </message>
+    <message>
+        <source>A vehicle fresh from the factory (address 254, a key that everybody knows) also takes its address. Switch on only this one. Who listens to the radio during pairing could learn the key: pair where you are alone.</source>
+        <translation>刚出厂的车辆（地址 254，密钥众所周知）还会同时取得其地址。请只打开这一辆车的电源。配对期间监听无线通信的人可能获知密钥，请在无他人监听的环境中配对。</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::LiveCharts</name>
+    <message>
+        <source>Choose a vehicle in the list or on the floor to see how it drives.</source>
+        <translation>请在列表中或地面上选择车辆，以查看其行驶情况。</translation>
+    </message>
+    <message>
+        <source>Nothing is known of %1 yet. Its charts begin with its first report.</source>
+        <translation>尚无 %1 的数据。收到首次上报后开始绘制曲线。</translation>
+    </message>
+    <message>
+        <source>How far back the charts reach.</source>
+        <translation>曲线显示的时间长度。</translation>
+    </message>
+    <message>
+        <source>Time shown</source>
+        <translation>显示时长</translation>
+    </message>
+    <message>
+        <source>Let the charts go on.</source>
+        <translation>继续更新曲线。</translation>
+    </message>
+    <message>
+        <source>Hold the charts still, to drag and zoom them. Recording goes on.</source>
+        <translation>暂停曲线更新，以便拖动和缩放。数据记录继续进行。</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Forget what was recorded of this vehicle and begin anew.</source>
+        <translation>清除此车辆已记录的数据，重新开始记录。</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清除</translation>
+    </message>
+    <message>
+        <source>Save the charts as a picture (PNG, PDF) or their values (CSV).</source>
+        <translation>将曲线保存为图片（PNG、PDF），或将数值保存为 CSV 文件。</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>The picture %1 could not be written. Choose another folder.</source>
+        <translation>无法写入图片 %1。请选择其他文件夹。</translation>
+    </message>
+    <message>
+        <source>%1: track, cross-track error and speed</source>
+        <translation>%1：轨迹、横向偏差和速度</translation>
+    </message>
+    <message>
+        <source>The file %1 could not be written. Choose another folder.</source>
+        <translation>无法写入文件 %1。请选择其他文件夹。</translation>
+    </message>
+    <message>
+        <source>Save the charts</source>
+        <translation>保存曲线</translation>
+    </message>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation>图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>Document (*.pdf)</source>
+        <translation>文档 (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Values (*.csv)</source>
+        <translation>数值 (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::NamePage</name>
+    <message>
+        <source>Vehicles that nobody has set up yet answer at 254. Another address avoids that two answer at once.</source>
+        <translation>尚未设置的车辆使用地址 254 应答。改用其他地址可避免两辆车同时应答。</translation>
+    </message>
+    <message>
+        <source>Name and address</source>
+        <translation>名称和地址</translation>
+    </message>
+    <message>
+        <source>The name is for people; the address is the vehicle&apos;s number on the radio channel.</source>
+        <translation>名称便于人员识别；地址是车辆在无线信道上的编号。</translation>
+    </message>
+    <message>
+        <source>&amp;Name:</source>
+        <translation>名称(&amp;N)：</translation>
+    </message>
+    <message>
+        <source>&amp;Address (1 to 254):</source>
+        <translation>地址（1 至 254）(&amp;A)：</translation>
+    </message>
+    <message>
+        <source>The lowest free address is proposed. No two vehicles of a channel may have the same one.</source>
+        <translation>建议使用最小的空闲地址。同一信道上的车辆地址不得重复。</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::NewSiteDialog</name>
+    <message>
+        <source>My floor</source>
+        <translation>我的场地</translation>
+    </message>
+    <message>
+        <source>New site</source>
+        <translation>新建场地</translation>
+    </message>
+    <message>
+        <source>&amp;Name:</source>
+        <translation>名称(&amp;N)：</translation>
+    </message>
+    <message>
+        <source>&amp;Tiles:</source>
+        <translation>地板砖(&amp;T)：</translation>
+    </message>
+    <message>
+        <source>Tiles &amp;across (x):</source>
+        <translation>横向砖数（x）(&amp;A)：</translation>
+    </message>
+    <message>
+        <source>Tiles &amp;up (y):</source>
+        <translation>纵向砖数（y）(&amp;U)：</translation>
+    </message>
+    <message>
+        <source>Size:</source>
+        <translation>尺寸：</translation>
+    </message>
+    <message>
+        <source>&amp;Practice tags, for simulated vehicles</source>
+        <translation>练习标签，用于模拟车辆(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Practice tags have made-up numbers, so that you can try everything in the simulated world. On a real floor leave this off: its tags get their numbers when they are read.</source>
+        <translation>练习标签使用虚构的编号，便于在演示环境中试用全部功能。实际场地请勿勾选：标签编号在读取时获得。</translation>
+    </message>
+    <message>
+        <source>every place</source>
+        <translation>逐位布置</translation>
+    </message>
+    <message>
+        <source>every second place</source>
+        <translation>隔位布置</translation>
+    </message>
+    <message>
+        <source>%1 × %2 cm, a tag each %3 cm, %4</source>
+        <translation>%1 × %2 cm，标签间距 %3 cm，%4</translation>
+    </message>
+    <message>
+        <source>&amp;Make the site</source>
+        <translation>创建场地(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 × %2 m, %n tag(s)</source>
+        <translation>
+            <numerusform>%1 × %2 m，%n 个标签</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::Orders</name>
+    <message>
+        <source>Choose a vehicle in the list or on the floor first.</source>
+        <translation>请先在列表中或地面上选择车辆。</translation>
+    </message>
+    <message>
+        <source>There is no connection to the vehicles. Connect first.</source>
+        <translation>未与车辆建立连接。请先连接。</translation>
+    </message>
+    <message>
+        <source>The supervision does not know %1 yet. Connect again.</source>
+        <translation>上位机尚未识别 %1。请重新连接。</translation>
+    </message>
+    <message>
+        <source>The radio&apos;s port is not open. Connect first.</source>
+        <translation>无线模块的端口未打开。请先连接。</translation>
+    </message>
+    <message>
+        <source>%1 does not answer now.</source>
+        <translation>%1 当前无应答。</translation>
+    </message>
+    <message>
+        <source>A fault holds %1. Remove its cause and clear it first.</source>
+        <translation>%1 因故障停止。请先排除原因，再清除故障。</translation>
+    </message>
+    <message>
+        <source>%1 calibrates its compass now.</source>
+        <translation>%1 正在校准罗盘。</translation>
+    </message>
+    <message>
+        <source>The site has no route yet. Draw one on the floor first.</source>
+        <translation>场地中还没有路径。请先在地面上绘制一条路径。</translation>
+    </message>
+    <message>
+        <source>Choose a route first.</source>
+        <translation>请先选择路径。</translation>
+    </message>
+    <message>
+        <source>%1 runs this route already.</source>
+        <translation>%1 已在运行此路径。</translation>
+    </message>
+    <message>
+        <source>%1 runs no route.</source>
+        <translation>%1 未在运行路径。</translation>
+    </message>
+    <message>
+        <source>%1 does not pause.</source>
+        <translation>%1 未处于暂停状态。</translation>
+    </message>
+    <message>
+        <source>%1 reports no fault.</source>
+        <translation>%1 没有故障。</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::Pairing</name>
+    <message>
+        <source>No vehicle fresh from the factory has answered. Is it switched on, flashed and in reach? If it was set up before, it has an address and a key already: type its key below.</source>
+        <translation>没有刚出厂的车辆应答。车辆是否已开机、已烧录固件，并在无线覆盖范围内？如果以前设置过，车辆已有地址和密钥：请在下方输入其密钥。</translation>
+    </message>
+    <message>
+        <source>The vehicle no longer answers. Switch it off and on again and press “Pair now” once more.</source>
+        <translation>车辆不再应答。请关闭车辆电源后重新打开，然后再次按“立即配对”。</translation>
+    </message>
+    <message>
+        <source>The vehicle refuses the address %1. Choose another one.</source>
+        <translation>车辆拒绝地址 %1。请选择其他地址。</translation>
+    </message>
+    <message>
+        <source>Calling a vehicle that is fresh from the factory…</source>
+        <translation>正在呼叫刚出厂的车辆…</translation>
+    </message>
+    <message>
+        <source>A vehicle answers at the factory&apos;s address, but with another key. Type its key below.</source>
+        <translation>有车辆以出厂地址应答，但密钥不同。请在下方输入其密钥。</translation>
+    </message>
+    <message>
+        <source>Giving the vehicle its new key…</source>
+        <translation>正在为车辆设置新密钥…</translation>
+    </message>
+    <message>
+        <source>Not connected. Connect to the vehicles and try again.</source>
+        <translation>未连接。请先连接车辆，然后重试。</translation>
+    </message>
+    <message>
+        <source>It has its key. Waiting for it under the new key…</source>
+        <translation>车辆已取得密钥。正在等待车辆使用新密钥应答…</translation>
+    </message>
+    <message>
+        <source>Giving the vehicle its address %1…</source>
+        <translation>正在为车辆设置地址 %1…</translation>
+    </message>
+    <message>
+        <source>It may have taken this key; note it down and try it if the old one is refused: %1</source>
+        <translation>车辆可能已启用此密钥；请记下，原密钥被拒绝时再试用：%1</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::RadioDialog</name>
+    <message>
+        <source>Cancelled. What the module now holds is told by Read.</source>
+        <translation>已取消。要了解模块当前的参数，请点击“读取”。</translation>
+    </message>
+    <message>
+        <source>Reading the module&apos;s parameters…</source>
+        <translation>正在读取模块参数…</translation>
+    </message>
+    <message>
+        <source>Writing the site&apos;s parameters and reading them back…</source>
+        <translation>正在写入场地参数并回读核对…</translation>
+    </message>
+    <message>
+        <source>Written and read back. Put both jumpers on again, then connect.</source>
+        <translation>参数已写入并读回核对。请重新插上两个跳线，然后连接。</translation>
+    </message>
+    <message numerus="yes">
+        <source>The module did not keep %n parameter(s). Write once more; if that does not help, the module may be of another kind or broken.</source>
+        <translation>
+            <numerusform>模块未保存 %n 个参数。请再写入一次；如仍无效，模块可能型号不符或已损坏。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The module is set as the site asks. Put both jumpers on again, then connect.</source>
+        <translation>模块设置与场地要求一致。请重新插上两个跳线，然后连接。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parameter(s) differ from the site&apos;s; vehicles will not be heard like this. Press “Write the site&apos;s parameters”.</source>
+        <translation>
+            <numerusform>有 %n 个参数与场地不一致，这样无法收到车辆的信号。请点击“写入场地参数”。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not read yet</source>
+        <translation>尚未读取</translation>
+    </message>
+    <message>
+        <source>%1 – differs</source>
+        <translation>%1 – 不一致</translation>
+    </message>
+    <message>
+        <source>Radio module of this computer</source>
+        <translation>本机的无线模块</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;This computer&apos;s radio module (E32-TTL-100) must be set like those of the vehicles. To read or write its settings:&lt;/p&gt;&lt;ol&gt;&lt;li&gt;Take both jumpers, M0 and M1, off the module&apos;s adapter.&lt;/li&gt;&lt;li&gt;Press “Read the module”. Driving vehicles are stopped first.&lt;/li&gt;&lt;li&gt;Where something differs, press “Write the site&apos;s parameters”.&lt;/li&gt;&lt;li&gt;Put both jumpers back on.&lt;/li&gt;&lt;/ol&gt;</source>
+        <translation>&lt;p&gt;本机的无线模块（E32-TTL-100）必须与车辆上的无线模块设置一致。读取或写入其设置的步骤：&lt;/p&gt;&lt;ol&gt;&lt;li&gt;从模块转接板上取下 M0 和 M1 两个跳线。&lt;/li&gt;&lt;li&gt;点击“读取模块”。行驶中的车辆会先停止。&lt;/li&gt;&lt;li&gt;如有不一致，点击“写入场地参数”。&lt;/li&gt;&lt;li&gt;重新插上两个跳线。&lt;/li&gt;&lt;/ol&gt;</translation>
+    </message>
+    <message>
+        <source>Parameters of the module and of the site</source>
+        <translation>模块参数与场地参数</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Module</source>
+        <translation>模块</translation>
+    </message>
+    <message>
+        <source>Site</source>
+        <translation>场地</translation>
+    </message>
+    <message>
+        <source>&amp;Transmit power:</source>
+        <translation>发射功率(&amp;T)：</translation>
+    </message>
+    <message>
+        <source>Choose what the rules of your country allow; the vehicles do not mind.</source>
+        <translation>请按所在国家的法规选择；对车辆没有影响。</translation>
+    </message>
+    <message>
+        <source>&amp;Read the module</source>
+        <translation>读取模块(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Write the site&apos;s parameters</source>
+        <translation>写入场地参数(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Work on the radio module</source>
+        <translation>无线模块操作进度</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::RadioRows</name>
+    <message>
+        <source>%1 dBm (%2 mW)</source>
+        <translation>%1 dBm（%2 mW）</translation>
+    </message>
+    <message>
+        <source>%1 bit/s</source>
+        <translation>%1 bit/s</translation>
+    </message>
+    <message>
+        <source>%1 (%2 MHz)</source>
+        <translation>%1（%2 MHz）</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>定点</translation>
+    </message>
+    <message>
+        <source>transparent</source>
+        <translation>透明</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>信道</translation>
+    </message>
+    <message>
+        <source>Air rate</source>
+        <translation>空中速率</translation>
+    </message>
+    <message>
+        <source>Address (hexadecimal)</source>
+        <translation>地址（十六进制）</translation>
+    </message>
+    <message>
+        <source>Transmission</source>
+        <translation>传输方式</translation>
+    </message>
+    <message>
+        <source>Error correction</source>
+        <translation>纠错</translation>
+    </message>
+    <message>
+        <source>Port&apos;s baud rate</source>
+        <translation>串口波特率</translation>
+    </message>
+    <message>
+        <source>Transmit power</source>
+        <translation>发射功率</translation>
+    </message>
+    <message>
+        <source>push-pull</source>
+        <translation>推挽</translation>
+    </message>
+    <message>
+        <source>open collector</source>
+        <translation>集电极开路</translation>
+    </message>
+    <message>
+        <source>Port&apos;s format</source>
+        <translation>串口格式</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>输出方式</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::ReaderTable</name>
+    <message>
+        <source>Places of the readers</source>
+        <translation>读卡器位置</translation>
+    </message>
+    <message>
+        <source>Add a reader</source>
+        <translation>添加读卡器</translation>
+    </message>
+    <message>
+        <source>Remove it</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Ahead (m)</source>
+        <translation>向前 (m)</translation>
+    </message>
+    <message>
+        <source>Left (m)</source>
+        <translation>向左 (m)</translation>
+    </message>
+    <message>
+        <source>How far ahead of the middle between the driven wheels, and how far to its left</source>
+        <translation>读卡器相对驱动轮中点向前和向左的距离</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::ReadersPage</name>
+    <message>
+        <source>A reader does not answer the vehicle. Check its cable, its supply and its number on the bus.</source>
+        <translation>有读卡器未应答车辆。请检查其接线、供电和总线编号。</translation>
+    </message>
+    <message>
+        <source>Every reader has read a tag.</source>
+        <translation>所有读卡器均已读到标签。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reader(s) still to try.</source>
+        <translation>
+            <numerusform>还有 %n 个读卡器待测试。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>尚无</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <comment>no value</comment>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>Reader %1</source>
+        <translation>读卡器 %1</translation>
+    </message>
+    <message>
+        <source>The readers</source>
+        <translation>读卡器</translation>
+    </message>
+    <message>
+        <source>Hold a tag under one reader after the other, counted from the vehicle&apos;s left.</source>
+        <translation>从车辆左侧数起，依次在每个读卡器下方放置一张标签。</translation>
+    </message>
+    <message>
+        <source>Under the right reader its light comes on in the drawing. If another one lights up, the readers are connected in another order than the type says.</source>
+        <translation>顺序正确时，图中对应的读卡器会亮起。如果亮起的是另一个，说明读卡器的接线顺序与车型设置不同。</translation>
+    </message>
+    <message>
+        <source>Readers and the tags that they read</source>
+        <translation>读卡器及其读到的标签</translation>
+    </message>
+    <message>
+        <source>Reader</source>
+        <translation>读卡器</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>有应答</translation>
+    </message>
+    <message>
+        <source>Last tag</source>
+        <translation>最近的标签</translation>
+    </message>
+    <message>
+        <source>On this floor</source>
+        <translation>属于本场地</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::RecentList</name>
+    <message>
+        <source>Unnamed site</source>
+        <translation>未命名场地</translation>
+    </message>
+    <message>
+        <source>%1 is no longer there.</source>
+        <translation>%1 已不存在。</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>未找到</translation>
+    </message>
+    <message>
+        <source>&amp;Recent sites</source>
+        <translation>最近的场地(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Sites that you open will be listed here.</source>
+        <translation>打开过的场地会列在这里。</translation>
+    </message>
+    <message>
+        <source>Recent sites</source>
+        <translation>最近的场地</translation>
+    </message>
+    <message>
+        <source>Site</source>
+        <translation>场地</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Last opened</source>
+        <translation>上次打开</translation>
+    </message>
+    <message>
+        <source>Open t&amp;his site</source>
+        <translation>打开此场地(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Remove &amp;from list</source>
+        <translation>从列表中移除(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Takes the entry off this list (Del). The file stays.</source>
+        <translation>从列表中移除该条目 (Del)，文件保留。</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::RoutePanel</name>
+    <message>
+        <source>%1 m, about %2 s</source>
+        <translation>%1 m，约 %2 秒</translation>
+    </message>
+    <message>
+        <source>%1 m, about %2 min %3 s</source>
+        <translation>%1 m，约 %2 分 %3 秒</translation>
+    </message>
+    <message>
+        <source>This site has no route yet. A route is the way that a vehicle drives: click its vertices on the floor.</source>
+        <translation>此场地还没有路径。路径是车辆行驶的路线：在场地上依次点击各顶点即可绘制。</translation>
+    </message>
+    <message>
+        <source>&amp;Draw a route</source>
+        <translation>绘制路径(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;New route</source>
+        <translation>新建路径(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Draw a new route on the floor</source>
+        <translation>在场地上绘制新路径</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>重命名(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Rename the route</source>
+        <translation>重命名路径</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate</source>
+        <translation>复制(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Make another route of the same vertices</source>
+        <translation>用相同的顶点再建一条路径</translation>
+    </message>
+    <message>
+        <source>&amp;Reverse</source>
+        <translation>反向(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Drive the route the other way round</source>
+        <translation>按相反方向行驶此路径</translation>
+    </message>
+    <message>
+        <source>&amp;Delete route</source>
+        <translation>删除路径(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Delete the route</source>
+        <translation>删除路径</translation>
+    </message>
+    <message>
+        <source>&amp;Insert vertex</source>
+        <translation>插入顶点(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Insert a vertex after the chosen one</source>
+        <translation>在所选顶点之后插入顶点</translation>
+    </message>
+    <message>
+        <source>Delete &amp;vertex</source>
+        <translation>删除顶点(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Delete the chosen vertex</source>
+        <translation>删除所选顶点</translation>
+    </message>
+    <message>
+        <source>Routes</source>
+        <translation>路径</translation>
+    </message>
+    <message>
+        <source>Vertices of the route</source>
+        <translation>路径的顶点</translation>
+    </message>
+    <message>
+        <source>&amp;Control points every</source>
+        <translation>控制点间距(&amp;C)</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Distance of the points that the vehicle is led to, one after the other</source>
+        <translation>引导车辆依次到达的各控制点之间的距离</translation>
+    </message>
+    <message>
+        <source>At a &amp;speed of</source>
+        <translation>行驶速度(&amp;S)</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>For the driving time shown below; each run has a speed of its own</source>
+        <translation>用于计算下方的行驶时间；每次运行另设速度</translation>
+    </message>
+    <message>
+        <source>Length and time</source>
+        <translation>长度和时间</translation>
+    </message>
+    <message>
+        <source>Length divided by speed; turning at corners comes on top.</source>
+        <translation>长度除以速度；拐角处的转向时间另计。</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::RouteTool</name>
+    <message>
+        <source>A route needs at least two vertices.</source>
+        <translation>路径至少需要两个顶点。</translation>
+    </message>
+    <message>
+        <source>Shift: in steps of 45°. Alt: no snapping. Esc: leave it where it was.</source>
+        <translation>Shift：以 45° 为步进。Alt：不吸附。Esc：放回原处。</translation>
+    </message>
+    <message>
+        <source>Click where the route is to begin. Esc: stop drawing.</source>
+        <translation>点击路径的起点。Esc：停止绘制。</translation>
+    </message>
+    <message>
+        <source>Click the next vertex. Double-click or Enter: finish. Backspace: one back. Shift: in steps of 45°. Alt: no snapping.</source>
+        <translation>点击下一个顶点。双击或 Enter：完成。Backspace：退回一步。Shift：以 45° 为步进。Alt：不吸附。</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the vertex by 1 cm, with Shift by 10 cm. Del removes it.</source>
+        <translation>方向键将顶点移动 1 cm，同时按住 Shift 移动 10 cm。Del 删除顶点。</translation>
+    </message>
+    <message>
+        <source>Drag a vertex to move it, a small circle between two to insert one.</source>
+        <translation>拖动顶点可移动它，拖动两顶点之间的小圆可插入顶点。</translation>
+    </message>
+    <message>
+        <source>Click a route to change it, or draw a new one.</source>
+        <translation>点击路径进行修改，或绘制新路径。</translation>
+    </message>
+    <message>
+        <source>&amp;Finish route</source>
+        <translation>完成路径(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove last vertex</source>
+        <translation>移除最后一个顶点(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Drop route</source>
+        <translation>放弃路径(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Delete vertex</source>
+        <translation>删除顶点(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Insert vertex here</source>
+        <translation>在此处插入顶点(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Reverse route</source>
+        <translation>路径反向(&amp;R)</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate route</source>
+        <translation>复制路径(&amp;U)</translation>
+    </message>
+    <message>
+        <source>De&amp;lete route</source>
+        <translation>删除路径(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Draw &amp;new route from here</source>
+        <translation>从此处绘制新路径(&amp;N)</translation>
+    </message>
+    <message>
+        <source>%1 m, %2°</source>
+        <comment>length and bearing of a leg</comment>
+        <translation>%1 m，%2°</translation>
+    </message>
+    <message>
+        <source>x %1 m, y %2 m</source>
+        <translation>x %1 m，y %2 m</translation>
+    </message>
+    <message>
+        <source>vertex</source>
+        <translation>顶点</translation>
+    </message>
+    <message>
+        <source>tag</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>tile corner</source>
+        <translation>地板砖角点</translation>
+    </message>
+    <message>
+        <source>tile middle</source>
+        <translation>地板砖中心</translation>
+    </message>
+    <message>
+        <source>tile edge</source>
+        <translation>地板砖边缘</translation>
+    </message>
+    <message>
+        <source>45° steps</source>
+        <translation>45° 步进</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::RunPanel</name>
+    <message>
+        <source>%1 of %2 m on the route %3</source>
+        <translation>%1 / %2 m，路径 %3</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 分 %2 秒</translation>
+    </message>
+    <message>
+        <source>%1, about %2 left</source>
+        <comment>distance travelled, time</comment>
+        <translation>%1，剩余约 %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>what a button does, its key</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>R&amp;esume</source>
+        <translation>继续(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>暂停(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Let it drive along the chosen route, at most this fast.</source>
+        <translation>让车辆沿所选路径行驶，最高不超过此速度。</translation>
+    </message>
+    <message>
+        <source>Let it go on along its route.</source>
+        <translation>让车辆沿路径继续行驶。</translation>
+    </message>
+    <message>
+        <source>Let it stand and keep its route.</source>
+        <translation>让车辆停下，保留路径。</translation>
+    </message>
+    <message>
+        <source>Stop it; it gives up its route.</source>
+        <translation>停止车辆，并放弃其路径。</translation>
+    </message>
+    <message>
+        <source>Forget faults whose cause is gone.</source>
+        <translation>清除原因已消除的故障。</translation>
+    </message>
+    <message>
+        <source>The order was not taken: there is no connection to the vehicles.</source>
+        <translation>指令未被接受：未连接到车辆。</translation>
+    </message>
+    <message>
+        <source>This site has no vehicle yet. Set one up: the wizard leads through it.</source>
+        <translation>此场地还没有车辆。请按向导设置一辆。</translation>
+    </message>
+    <message>
+        <source>&amp;Set up a vehicle…</source>
+        <translation>设置车辆(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Choose a vehicle in the list or on the floor.</source>
+        <translation>请在列表中或场地上选择车辆。</translation>
+    </message>
+    <message>
+        <source>R&amp;oute:</source>
+        <translation>路径(&amp;O)：</translation>
+    </message>
+    <message>
+        <source>No route yet</source>
+        <translation>还没有路径</translation>
+    </message>
+    <message>
+        <source>Choose a route</source>
+        <translation>选择路径</translation>
+    </message>
+    <message>
+        <source>&amp;Draw a route</source>
+        <translation>绘制路径(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Draw a route on the floor.</source>
+        <translation>在场地上绘制路径。</translation>
+    </message>
+    <message>
+        <source>Sp&amp;eed:</source>
+        <translation>速度(&amp;E)：</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>The fastest that it shall drive, from %1 to %2 m/s.</source>
+        <translation>车辆的最高行驶速度，%1 到 %2 m/s。</translation>
+    </message>
+    <message>
+        <source>Progress on the route</source>
+        <translation>路径进度</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>运行(&amp;R)</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>停止(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Clear faults</source>
+        <translation>清除故障(&amp;C)</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::SerialBox</name>
+    <message>
+        <source>Choose the port of the radio module, or type its path.</source>
+        <translation>请选择无线模块的串口，或输入其路径。</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <comment>port, description</comment>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>%1 (in use)</source>
+        <translation>%1（使用中）</translation>
+    </message>
+    <message>
+        <source>No serial port was found. Plug the radio&apos;s USB adapter in and press Refresh. If it is plugged in but not listed, it has no driver; on Linux, your user must also belong to the group “dialout” to open it: “sudo adduser $USER dialout”, then log in anew.</source>
+        <translation>未找到串口。请插入无线模块的 USB 转接器，然后点击“刷新”。如果已插入但未列出，说明缺少驱动程序；在 Linux 上，用户还必须属于“dialout”组才能打开串口：执行“sudo adduser $USER dialout”，然后重新登录。</translation>
+    </message>
+    <message>
+        <source>Another program is using %1. Close it first.</source>
+        <translation>另一个程序正在使用 %1，请先关闭该程序。</translation>
+    </message>
+    <message>
+        <source>The site&apos;s radio is set to %1 baud. Choose another rate only if the module on this computer is set to it.</source>
+        <translation>场地的无线参数设为 %1 波特。仅当本机的模块设为其他波特率时，才选择其他值。</translation>
+    </message>
+    <message>
+        <source>&amp;Port:</source>
+        <translation>串口(&amp;P)：</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>串口</translation>
+    </message>
+    <message>
+        <source>e.g. /dev/ttyUSB0</source>
+        <translation>例如 /dev/ttyUSB0</translation>
+    </message>
+    <message>
+        <source>The radio module is usually /dev/ttyUSB0 (COM3 on Windows). Any path of a terminal will do.</source>
+        <translation>无线模块通常为 /dev/ttyUSB0（Windows 上为 COM3）。任何终端设备的路径均可。</translation>
+    </message>
+    <message>
+        <source>Refresh</source>
+        <translation>刷新</translation>
+    </message>
+    <message>
+        <source>Look for ports again</source>
+        <translation>重新查找串口</translation>
+    </message>
+    <message>
+        <source>Look for ports again (%1)</source>
+        <translation>重新查找串口 (%1)</translation>
+    </message>
+    <message>
+        <source>&amp;Baud rate:</source>
+        <translation>波特率(&amp;B)：</translation>
+    </message>
+    <message>
+        <source>%1 bit/s</source>
+        <translation>%1 bit/s</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::SettingsPage</name>
+    <message>
+        <source>Writing…</source>
+        <translation>正在写入…</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>正在读取…</translation>
+    </message>
+    <message>
+        <source>The vehicle holds the settings of its type.</source>
+        <translation>车辆中的设置与其车型一致。</translation>
+    </message>
+    <message>
+        <source>The marked settings differ. Press “Write to the vehicle”; if one stays, it is out of the range that the vehicle accepts, and the type must be corrected.</source>
+        <translation>标出的设置不一致。请点击“写入车辆”；如果仍有不一致，说明该值超出车辆允许的范围，必须修改车型设置。</translation>
+    </message>
+    <message>
+        <source>Wheel diameter</source>
+        <translation>车轮直径</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Track (wheel to wheel)</source>
+        <translation>轮距（两轮之间）</translation>
+    </message>
+    <message>
+        <source>Highest speed</source>
+        <translation>最高速度</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>Highest turn rate</source>
+        <translation>最高转向角速度</translation>
+    </message>
+    <message>
+        <source>%1 rad/s</source>
+        <translation>%1 rad/s</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>%1 m/s²</source>
+        <translation>%1 m/s²</translation>
+    </message>
+    <message>
+        <source>Number of readers</source>
+        <translation>读卡器数量</translation>
+    </message>
+    <message>
+        <source>not read yet</source>
+        <translation>尚未读取</translation>
+    </message>
+    <message>
+        <source>Settings onto the vehicle</source>
+        <translation>将设置写入车辆</translation>
+    </message>
+    <message>
+        <source>The vehicle needs the measures of its type to drive the speeds that it is told.</source>
+        <translation>车辆需要其车型的尺寸，才能按指令速度行驶。</translation>
+    </message>
+    <message>
+        <source>Settings of the site and of the vehicle</source>
+        <translation>场地和车辆中的设置</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Site</source>
+        <translation>场地</translation>
+    </message>
+    <message>
+        <source>Vehicle</source>
+        <translation>车辆</translation>
+    </message>
+    <message>
+        <source>&amp;Read from the vehicle</source>
+        <translation>从车辆读取(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Write to the vehicle</source>
+        <translation>写入车辆(&amp;W)</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::StartPage</name>
+    <message>
+        <source>Tessera</source>
+        <translation>Tessera</translation>
+    </message>
+    <message>
+        <source>Watch and guide automated vehicles that find their way by RFID tags in a tile floor.</source>
+        <translation>监控并引导在地板砖场地上靠 RFID 电子标签定位的自动化车辆。</translation>
+    </message>
+    <message>
+        <source>&amp;Demo floor</source>
+        <translation>演示场地(&amp;D)</translation>
+    </message>
+    <message>
+        <source>A simulated floor on which a vehicle drives at once. Nothing to plug in.</source>
+        <translation>仿真场地，车辆立即开始行驶，无需连接任何设备。</translation>
+    </message>
+    <message>
+        <source>&amp;New site</source>
+        <translation>新建场地(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>打开(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Lay a floor of so many tiles, then draw routes and set up vehicles.</source>
+        <translation>铺设指定块数的地板砖，然后绘制路径、设置车辆。</translation>
+    </message>
+    <message>
+        <source>Open a site that was saved before (*.tessera.json).</source>
+        <translation>打开已保存的场地 (*.tessera.json)。</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::StepPage</name>
+    <message>
+        <source>Co&amp;nnect…</source>
+        <translation>连接(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>S&amp;kip this step for now</source>
+        <translation>暂时跳过此步骤(&amp;K)</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::StopAllButton</name>
+    <message>
+        <source>Not connected: there is nobody to stop.</source>
+        <translation>未连接：没有可停止的车辆。</translation>
+    </message>
+    <message>
+        <source>Stop all</source>
+        <translation>全部停止</translation>
+    </message>
+    <message>
+        <source>Stops every vehicle at once. Nothing moves again without a new order.</source>
+        <translation>立即停止所有车辆。没有新指令，车辆不会再移动。</translation>
+    </message>
+    <message>
+        <source>Stops every vehicle at once. Nothing moves again without a new order. The key %1 does the same, from any window of the program.</source>
+        <translation>立即停止所有车辆。没有新指令，车辆不会再移动。在程序的任何窗口中按 %1 键，效果相同。</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::SummaryPage</name>
+    <message>
+        <source>Firmware</source>
+        <translation>固件</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>密钥</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>通信</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Readers</source>
+        <translation>读卡器</translation>
+    </message>
+    <message>
+        <source>Compass</source>
+        <translation>罗盘</translation>
+    </message>
+    <message>
+        <source>Drive by hand</source>
+        <translation>手动驾驶</translation>
+    </message>
+    <message>
+        <source>First drive</source>
+        <translation>首次行驶</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>skipped</source>
+        <translation>已跳过</translation>
+    </message>
+    <message>
+        <source>not done</source>
+        <translation>未完成</translation>
+    </message>
+    <message>
+        <source>Summary</source>
+        <translation>汇总</translation>
+    </message>
+    <message>
+        <source>%1 stands in the site under the address %2.</source>
+        <translation>%1 已加入场地，地址为 %2。</translation>
+    </message>
+    <message>
+        <source>Everything was tried. Save the site to keep the vehicle.</source>
+        <translation>所有项目均已测试。请保存场地以保留该车辆。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) were left out. Open this wizard for the vehicle again to make up for it. Save the site to keep the vehicle.</source>
+        <translation>
+            <numerusform>有 %n 个步骤被跳过。可再次为该车辆打开此向导补做。请保存场地以保留该车辆。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::TcpBox</name>
+    <message>
+        <source>Type the name or address of the serial device server.</source>
+        <translation>请输入串口服务器的名称或地址。</translation>
+    </message>
+    <message>
+        <source>“%1” is no name or address of a computer. Type it alone, such as 192.168.0.7, and the port beside it.</source>
+        <translation>“%1”不是计算机的名称或地址。请只输入名称或地址，例如 192.168.0.7，端口填在旁边。</translation>
+    </message>
+    <message>
+        <source>&amp;Host:</source>
+        <translation>主机(&amp;H)：</translation>
+    </message>
+    <message>
+        <source>e.g. 192.168.0.7</source>
+        <translation>例如 192.168.0.7</translation>
+    </message>
+    <message>
+        <source>P&amp;ort number:</source>
+        <translation>端口号(&amp;O)：</translation>
+    </message>
+    <message>
+        <source>For a radio module behind a serial device server that passes raw bytes over TCP. Its baud rate is set there. Such a server encrypts nothing: keep it in a network of its own.</source>
+        <translation>用于接在串口服务器之后、通过 TCP 传输原始字节的无线模块。波特率在服务器上设置。此类服务器不加密：请将其置于独立的网络中。</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::ThirdParties</name>
+    <message>
+        <source>%1 (built with %2)</source>
+        <translation>%1（编译时使用 %2）</translation>
+    </message>
+    <message>
+        <source>charts</source>
+        <translation>图表</translation>
+    </message>
+    <message>
+        <source>public domain</source>
+        <translation>公有领域</translation>
+    </message>
+    <message>
+        <source>sites and journal</source>
+        <translation>场地和事件</translation>
+    </message>
+    <message>
+        <source>matrices</source>
+        <translation>矩阵</translation>
+    </message>
+    <message>
+        <source>site files</source>
+        <translation>场地文件</translation>
+    </message>
+    <message>
+        <source>results or errors</source>
+        <translation>结果或错误</translation>
+    </message>
+    <message>
+        <source>command lines</source>
+        <translation>命令行</translation>
+    </message>
+    <message>
+        <source>window, ports, database access</source>
+        <translation>窗口、端口、数据库访问</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::TimeChart</name>
+    <message>
+        <source>Cross-track error and speed</source>
+        <translation>横向偏差和速度</translation>
+    </message>
+    <message>
+        <source>Cross-track error (cm)</source>
+        <translation>横向偏差 (cm)</translation>
+    </message>
+    <message>
+        <source>Speed (m/s)</source>
+        <translation>速度 (m/s)</translation>
+    </message>
+    <message>
+        <source>Time (min), 0 is the newest</source>
+        <translation>时间（分），0 为最新</translation>
+    </message>
+    <message>
+        <source>Time (s), 0 is the newest</source>
+        <translation>时间（秒），0 为最新</translation>
+    </message>
+    <message>
+        <source>Commanded</source>
+        <translation>指令值</translation>
+    </message>
+    <message>
+        <source>Reported</source>
+        <translation>上报值</translation>
+    </message>
+    <message>
+        <source>± %1 cm</source>
+        <translation>± %1 cm</translation>
+    </message>
+    <message>
+        <source>%1 s before the newest
+Cross-track error %2 cm
+Speed %3 m/s, commanded %4 m/s</source>
+        <translation>最新数据之前 %1 秒
+横向偏差 %2 cm
+速度 %3 m/s，指令 %4 m/s</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::TrackChart</name>
+    <message>
+        <source>Track against route</source>
+        <translation>实际轨迹与路径对比</translation>
+    </message>
+    <message>
+        <source>x (m)</source>
+        <translation>x (m)</translation>
+    </message>
+    <message>
+        <source>y (m)</source>
+        <translation>y (m)</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>实际轨迹</translation>
+    </message>
+    <message>
+        <source>No route</source>
+        <translation>无路径</translation>
+    </message>
+    <message>
+        <source>Route %1</source>
+        <translation>路径 %1</translation>
+    </message>
+    <message>
+        <source>x %1 m, y %2 m</source>
+        <translation>x %1 m，y %2 m</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::TypePage</name>
+    <message>
+        <source>A vehicle needs at least one reader.</source>
+        <translation>车辆至少需要一个读卡器。</translation>
+    </message>
+    <message>
+        <source>The wheels stand wider than the vehicle. Check track and width.</source>
+        <translation>两轮间距大于车宽。请检查轮距和宽度。</translation>
+    </message>
+    <message>
+        <source>The readers must be listed from the vehicle&apos;s left to its right.</source>
+        <translation>读卡器必须按从车辆左侧到右侧的顺序列出。</translation>
+    </message>
+    <message>
+        <source>What kind of vehicle is it?</source>
+        <translation>车辆属于哪种车型？</translation>
+    </message>
+    <message>
+        <source>Choose the type that comes closest and correct its measures. Lengths count from the middle between the driven wheels.</source>
+        <translation>选择最接近的车型，并修正其尺寸。长度从驱动轮中点算起。</translation>
+    </message>
+    <message>
+        <source>&amp;Type:</source>
+        <translation>车型(&amp;T)：</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>保持现状</translation>
+    </message>
+    <message>
+        <source>To the &amp;front:</source>
+        <translation>到前端(&amp;F)：</translation>
+    </message>
+    <message>
+        <source>To the &amp;rear:</source>
+        <translation>到后端(&amp;R)：</translation>
+    </message>
+    <message>
+        <source>&amp;Width:</source>
+        <translation>宽度(&amp;W)：</translation>
+    </message>
+    <message>
+        <source>Tr&amp;ack (wheel to wheel):</source>
+        <translation>轮距（两轮之间）(&amp;A)：</translation>
+    </message>
+    <message>
+        <source>Wheel &amp;diameter:</source>
+        <translation>车轮直径(&amp;D)：</translation>
+    </message>
+    <message>
+        <source>&amp;Highest speed:</source>
+        <translation>最高速度(&amp;H)：</translation>
+    </message>
+    <message>
+        <source>Highest t&amp;urn rate:</source>
+        <translation>最高转向角速度(&amp;U)：</translation>
+    </message>
+    <message>
+        <source>Readers see &amp;tags within:</source>
+        <translation>读卡器读取标签的范围(&amp;T)：</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source> rad/s</source>
+        <translation> rad/s</translation>
+    </message>
+    <message>
+        <source>Readers, from &amp;left to right:</source>
+        <translation>读卡器，从左到右(&amp;L)：</translation>
+    </message>
+    <message>
+        <source>Drawing of the vehicle</source>
+        <translation>车辆示意图</translation>
+    </message>
+    <message>
+        <source>The vehicle from above, nose up: outline, wheels, and the discs in which readers see tags</source>
+        <translation>车辆俯视图，车头朝上：外形、车轮，以及读卡器能读到标签的圆形范围</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::VehicleDraft</name>
+    <message>
+        <source>Small: 0.40 m × 0.36 m, 3 readers</source>
+        <translation>小型：0.40 m × 0.36 m，3 个读卡器</translation>
+    </message>
+    <message>
+        <source>Medium: 0.70 m × 0.50 m, 4 readers</source>
+        <translation>中型：0.70 m × 0.50 m，4 个读卡器</translation>
+    </message>
+    <message>
+        <source>Large: 1.10 m × 0.80 m, 5 readers</source>
+        <translation>大型：1.10 m × 0.80 m，5 个读卡器</translation>
+    </message>
+    <message>
+        <source>Like %1</source>
+        <translation>同 %1</translation>
+    </message>
+    <message>
+        <source>AGV %1</source>
+        <translation>AGV %1</translation>
+    </message>
+    <message>
+        <source>Give the vehicle a name.</source>
+        <translation>请为车辆命名。</translation>
+    </message>
+    <message>
+        <source>An address is a number from 1 to 254.</source>
+        <translation>地址为 1 到 254 的数字。</translation>
+    </message>
+    <message>
+        <source>%1 has the address %2 already. Choose another one.</source>
+        <translation>%1 已使用地址 %2。请选择其他地址。</translation>
+    </message>
+    <message>
+        <source>There is a vehicle named %1 already. Choose another name.</source>
+        <translation>已有名为 %1 的车辆。请选择其他名称。</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::VehicleModel</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>%1 V</source>
+        <translation>%1 V</translation>
+    </message>
+    <message>
+        <source>%1 % lost</source>
+        <translation>丢失 %1 %</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>± %1 cm</source>
+        <translation>± %1 cm</translation>
+    </message>
+    <message>
+        <source>%1, address %2</source>
+        <translation>%1，地址 %2</translation>
+    </message>
+    <message>
+        <source>%1, address %2, firmware %3</source>
+        <translation>%1，地址 %2，固件 %3</translation>
+    </message>
+    <message>
+        <source>The battery is low. Charge it soon.</source>
+        <translation>电池电量低，请尽快充电。</translation>
+    </message>
+    <message>
+        <source>Voltage of the battery.</source>
+        <translation>电池电压。</translation>
+    </message>
+    <message>
+        <source>No answer has come yet.</source>
+        <translation>尚未收到应答。</translation>
+    </message>
+    <message>
+        <source>%1 % of the last calls stayed without an answer. There and back takes %2 ms. Restarts seen: %3.</source>
+        <translation>最近的呼叫中有 %1 % 未得到应答。往返时间为 %2 ms。检测到重启次数：%3。</translation>
+    </message>
+    <message>
+        <source>Time since its last answer.</source>
+        <translation>距上次应答的时间。</translation>
+    </message>
+    <message>
+        <source>Its place is not known. Put it where it reads tags.</source>
+        <translation>车辆位置未知。请将其放到能读到标签的地方。</translation>
+    </message>
+    <message>
+        <source>Where it is, is known to this much with a probability of 95 %.</source>
+        <translation>以 95 % 的概率，车辆位置的误差在此范围内。</translation>
+    </message>
+    <message>
+        <source>It has no route now.</source>
+        <translation>车辆当前没有路径。</translation>
+    </message>
+    <message>
+        <source>%1 m of %2 m</source>
+        <translation>%1 m / %2 m</translation>
+    </message>
+    <message>
+        <source>Vehicle</source>
+        <translation>车辆</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Route</source>
+        <translation>路径</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Battery</source>
+        <translation>电池</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>链路</translation>
+    </message>
+    <message>
+        <source>Data age</source>
+        <translation>数据时效</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::VehicleTable</name>
+    <message>
+        <source>The order was not taken: there is no connection to the vehicles.</source>
+        <translation>指令未被接受：未连接到车辆。</translation>
+    </message>
+    <message>
+        <source>&amp;Follow on the floor</source>
+        <translation>在场地上跟随(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>暂停(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Resume</source>
+        <translation>继续(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>停止(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Clear faults</source>
+        <translation>清除故障(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Vehicles</source>
+        <translation>车辆</translation>
+    </message>
+    <message>
+        <source>This site has no vehicle yet. Set one up: the wizard leads through it.</source>
+        <translation>此场地还没有车辆。请按向导设置一辆。</translation>
+    </message>
+    <message>
+        <source>&amp;Set up a vehicle…</source>
+        <translation>设置车辆(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>C&amp;onnect…</source>
+        <translation>连接(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>%1 % lost</source>
+        <translation>丢失 %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::VertexModel</name>
+    <message>
+        <source>Length of the leg from the vertex before</source>
+        <translation>从上一个顶点起的路段长度</translation>
+    </message>
+    <message>
+        <source>Place in the site, in metres</source>
+        <translation>在场地中的位置，单位为 m</translation>
+    </message>
+    <message>
+        <source>x (m)</source>
+        <translation>x (m)</translation>
+    </message>
+    <message>
+        <source>y (m)</source>
+        <translation>y (m)</translation>
+    </message>
+    <message>
+        <source>Leg (m)</source>
+        <translation>路段 (m)</translation>
+    </message>
+</context>
+</TS>
