@@ -91,7 +91,8 @@ std::shared_ptr<const supervisor::Snapshot> snapshotAt(const floor::Site& site, 
     v.predicted = {placeOf(v.pose, {Metres{0.1}, {}}), v.pose.heading};
     v.speed = MetresPerSecond{0.5};
     v.covariance = {4e-4, 0, 0, 0, 2e-4, 0, 0, 0, 1e-3};
-    v.recentReads = {{{}, 0, Seconds{time - 0.1}, v.pose.position}};
+    // Ten tags a second: a tag every five centimetres at this speed.
+    v.recentReads = {{{}, 0, Seconds{std::floor(time * 10.0) / 10.0}, v.pose.position}};
     snapshot->vehicles.push_back(std::move(v));
   }
   return snapshot;

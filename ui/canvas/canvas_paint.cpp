@@ -59,11 +59,18 @@ void FloorCanvas::paintLive(QPainter& painter, const QRegion& region) {
     if (region.intersects(extentOf(mark, view_, font(), layers_).toAlignedRect())) seen.push_back(mark);
   }
   for (const VehicleMark& mark : seen) paintGhost(painter, view_, theme_, mark);
-  for (const FleetLayer::Flash& flash : fleet_.flashes())
-    paintFlash(painter, view_, flash.place, vehicleColour(map_->site(), flash.vehicle, palette()),
-               (now - flash.since) / FleetLayer::kFlash);
-  for (const VehicleMark& mark : seen) paintVehicle(painter, view_, theme_, mark, layers_);
-  for (const VehicleMark& mark : seen) paintVehicleLabel(painter, view_, theme_, mark);
+  const QRectF shown = QRectF{region.boundingRect()}.adjusted(-20, -20, 20, 20);
+  for (const FleetLayer::Flash& flash : fleet_.flashes()) {
+    if (!shown.contains(view_.toPixel(flash.place))) continue;
+    const QColor colour = vehicleColour(map_->site(), flash.vehicle, palette());
+    sprites_.paintFlash(painter, view_, flash.place, colour, (now - flash.since) / FleetLayer::kFlash);
+  }
+  for (const VehicleMark& mark : seen) {
+    sprites_.paintBody(painter, view_, theme_, mark);
+    if (layers_.uncertainty) paintDoubt(painter, view_, theme_, mark);
+    paintObstacle(painter, view_, theme_, mark);
+  }
+  for (const VehicleMark& mark : seen) sprites_.paintLabel(painter, view_, theme_, mark);
   if (tool_) {
     painter.save();
     tool_->paint(painter, toolScene(), theme_);

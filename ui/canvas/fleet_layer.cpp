@@ -31,6 +31,8 @@ Pose poseAfter(const supervisor::VehicleView& v, Seconds since) {
 void FleetLayer::setSnapshot(std::shared_ptr<const supervisor::Snapshot> snapshot) {
   if (snapshot && snapshot_ && snapshot->time < snapshot_->time) clear();  // another run
   snapshot_ = std::move(snapshot);
+  // Here as well as in advance(): nobody asks for frames of a window that is not shown.
+  std::erase_if(flashes_, [&](const Flash& flash) { return !snapshot_ || snapshot_->time - flash.since > kFlash; });
   if (!snapshot_) return;
   for (const supervisor::VehicleView& vehicle : snapshot_->vehicles) {
     Trail& trail = trails_[vehicle.id];

@@ -68,6 +68,7 @@ void FloorCanvas::setMap(std::shared_ptr<const floor::SiteMap> map) {
     follow(std::nullopt);
   }
   refreshContent();
+  sprites_.clear();  // footprints may be others
   if (!same) fit();
   redrawFloor();
 }
@@ -232,6 +233,7 @@ void FloorCanvas::hideEvent(QHideEvent* /*event*/) { frames_.stop(); }
 void FloorCanvas::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
     theme_ = CanvasTheme{palette()};
+    sprites_.clear();
     redrawFloor();
   } else if (event->type() == QEvent::LanguageChange || event->type() == QEvent::LocaleChange) {
     retranslate();

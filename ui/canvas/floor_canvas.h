@@ -14,7 +14,7 @@
 #include "ui/canvas/canvas_tool.h"
 #include "ui/canvas/fleet_layer.h"
 #include "ui/canvas/still_layer.h"
-#include "ui/canvas/vehicle_painter.h"
+#include "ui/canvas/vehicle_sprites.h"
 
 namespace tessera::ui {
 
@@ -118,6 +118,7 @@ private:
   CanvasLayers layers_;
   StillLayer still_;
   FleetLayer fleet_;
+  VehicleSprites sprites_;
   QPointer<CanvasTool> tool_;
   std::optional<VehicleId> vehicle_;
   QString route_;

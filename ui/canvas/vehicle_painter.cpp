@@ -27,13 +27,6 @@ QString ageText(Seconds age) {
   return QCoreApplication::translate("FloorCanvas", "%1 min").arg(locale.toString(age.value() / 60.0, 'f', 0));
 }
 
-QString labelOf(const VehicleMark& mark) {
-  const QString name = QString::fromStdString(mark.vehicle->name);
-  if (mark.look != VehicleLook::Silent || !mark.vehicle->link.lastHeard) return name;
-  return QCoreApplication::translate("FloorCanvas", "%1, %2 ago", "a vehicle's name, how long ago it was last heard")
-      .arg(name, ageText(mark.vehicle->link.age));
-}
-
 // Drawn with lines, so that it scales; 12 units across.
 void paintBadge(QPainter& painter, QPointF at, const VehicleMark& mark, const CanvasTheme& theme) {
   if (mark.look == VehicleLook::Fine || mark.look == VehicleLook::Silent) return;
@@ -63,6 +56,15 @@ void paintBadge(QPainter& painter, QPointF at, const VehicleMark& mark, const Ca
   painter.restore();
 }
 
+}  // namespace
+
+QString labelOf(const VehicleMark& mark) {
+  const QString name = QString::fromStdString(mark.vehicle->name);
+  if (mark.look != VehicleLook::Silent || !mark.vehicle->link.lastHeard) return name;
+  return QCoreApplication::translate("FloorCanvas", "%1, %2 ago", "a vehicle's name, how long ago it was last heard")
+      .arg(name, ageText(mark.vehicle->link.age));
+}
+
 // Over the body, as the doubt is mostly smaller than it; white or black there, the vehicle's colour around it.
 void paintDoubt(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark) {
   const Ellipse95 ellipse = ellipseOf(mark.vehicle->covariance, view.scale());
@@ -80,8 +82,6 @@ void paintDoubt(QPainter& painter, const View& view, const CanvasTheme& theme, c
   painter.drawEllipse(QPointF{}, ellipse.longAxis, ellipse.shortAxis);
   painter.restore();
 }
-
-}  // namespace
 
 QPolygonF footprintOf(const VehicleMark& mark, const View& view, const Pose& at) {
   static const std::vector<Point> kUnknown{{Metres{-0.2}, Metres{-0.15}},
@@ -121,12 +121,15 @@ QRectF extentOf(const VehicleMark& mark, const View& view, const QFont& font, co
 
 void paintTrail(QPainter& painter, const View& view, const Trail& trail, Seconds now, QColor colour, QColor under) {
   const QRectF window = QRectF{QPointF{}, view.size()}.adjusted(-4, -4, 4, 4);
+  // Hair lines side by side: the painter has a short way for them, and a hundred trails are the most that it draws.
+  const int hairs = std::max(2, static_cast<int>(std::lround(2 * view.devicePixelRatio())));
   for (const Trail::Piece& piece : trail.pieces(view, now, kTrailBands)) {
-    const QRectF box = piece.line.boundingRect();
-    if (!box.adjusted(-2, -2, 2, 2).intersects(window)) continue;
-    painter.setPen(QPen{mixedColour(under, colour, 0.15 + 0.7 * (1.0 - piece.age)), 2.0, Qt::SolidLine, Qt::SquareCap,
-                        Qt::BevelJoin});
-    strokePolyline(painter, piece.line);
+    if (!piece.line.boundingRect().adjusted(-2, -2, 2, 2).intersects(window)) continue;
+    painter.setPen(QPen{mixedColour(under, colour, 0.15 + 0.7 * (1.0 - piece.age)), 0});
+    for (int n = 0; n < hairs; ++n) {
+      const double aside = (n - (hairs - 1) / 2.0) * 0.7 / view.devicePixelRatio();
+      painter.drawPolyline(piece.line.translated(aside, -aside));
+    }
   }
 }
 
@@ -143,8 +146,7 @@ void paintGhost(QPainter& painter, const View& view, const CanvasTheme& theme, c
   }
 }
 
-void paintVehicle(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark,
-                  const CanvasLayers& layers) {
+void paintVehicle(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark) {
   const QPolygonF shape = footprintOf(mark, view, mark.pose);
   const QColor colour = bodyColour(mark, theme);
   if (mark.chosen) {
@@ -164,7 +166,6 @@ void paintVehicle(QPainter& painter, const View& view, const CanvasTheme& theme,
   painter.setBrush(Qt::NoBrush);
   painter.drawPolygon(shape);
 
-  if (layers.uncertainty) paintDoubt(painter, view, theme, mark);
   // A chevron at the nose says where forward is.
   const QPointF at = view.toPixel(mark.pose.position);
   const QPointF nose{cos(mark.pose.heading), -sin(mark.pose.heading)};
@@ -177,23 +178,32 @@ void paintVehicle(QPainter& painter, const View& view, const CanvasTheme& theme,
   painter.setBrush(theme.onRoute);
   painter.drawPolygon(QPolygonF{tip, tip - nose * size + side * size * 0.62, tip - nose * size * 0.7,
                                 tip - nose * size - side * size * 0.62});
-  if (mark.vehicle->obstacle && mark.look != VehicleLook::Silent) {
-    const double away = front + view.pixels(*mark.vehicle->obstacle);
-    const double reach = std::clamp(view.pixels(Metres{0.18}), 6.0, 40.0);
-    const QPointF middle = at + nose * away;
-    painter.setPen(QPen{theme.fault, 3.0, Qt::SolidLine, Qt::RoundCap});
-    painter.drawLine(middle - side * reach, middle + side * reach);
-  }
   const QRectF box = shape.boundingRect();
   paintBadge(painter, {box.right() + 2, box.top() - 2}, mark, theme);
 }
 
-void paintVehicleLabel(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark) {
-  const QRectF box = footprintOf(mark, view, mark.pose).boundingRect();
-  const QFontMetricsF metrics{painter.font()};
+void paintObstacle(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark) {
+  if (!mark.vehicle->obstacle || mark.look == VehicleLook::Silent) return;
+  const QPointF at = view.toPixel(mark.pose.position);
+  const QPointF nose{cos(mark.pose.heading), -sin(mark.pose.heading)};
+  const QPointF side{nose.y(), -nose.x()};
+  double front = 0.0;
+  for (const QPointF& p : footprintOf(mark, view, mark.pose))
+    front = std::max(front, QPointF::dotProduct(p - at, nose));
+  const double reach = std::clamp(view.pixels(Metres{0.18}), 6.0, 40.0);
+  const QPointF middle = at + nose * (front + view.pixels(*mark.vehicle->obstacle));
+  painter.setPen(QPen{theme.fault, 3.0, Qt::SolidLine, Qt::RoundCap});
+  painter.drawLine(middle - side * reach, middle + side * reach);
+}
+
+QSizeF labelSize(const QString& text, const QFont& font) {
+  const QFontMetricsF metrics{font};
+  return {std::ceil(metrics.horizontalAdvance(text) + metrics.height() * 0.7) + 4, std::ceil(metrics.height()) + 6};
+}
+
+void paintVehicleLabel(QPainter& painter, const CanvasTheme& theme, const VehicleMark& mark) {
   const QString text = labelOf(mark);
-  const double wide = metrics.horizontalAdvance(text) + metrics.height() * 0.7;
-  const QRectF pill{box.center().x() - wide / 2, box.bottom() + 5, wide, metrics.height() + 2};
+  const QRectF pill = QRectF{QPointF{}, labelSize(text, painter.font())}.adjusted(1.5, 1.5, -1.5, -1.5);
   QColor back = theme.panel;
   back.setAlpha(215);
   painter.setBrush(back);
@@ -203,14 +213,14 @@ void paintVehicleLabel(QPainter& painter, const View& view, const CanvasTheme& t
   painter.drawText(pill, Qt::AlignCenter, text);
 }
 
-void paintFlash(QPainter& painter, const View& view, Point place, QColor colour, double age) {
+void paintFlash(QPainter& painter, QPointF at, QColor colour, double age) {
   const double radius = 4.0 + 9.0 * age;
   colour.setAlphaF(static_cast<float>(std::clamp(1.0 - age, 0.0, 1.0)));
   painter.setPen(QPen{colour, 2.0});
   QColor fill = colour;
   fill.setAlphaF(fill.alphaF() * 0.35F);
   painter.setBrush(fill);
-  painter.drawEllipse(view.toPixel(place), radius, radius);
+  painter.drawEllipse(at, radius, radius);
 }
 
 Ellipse95 ellipseOf(const std::array<double, 9>& covariance, double pixelsPerMetre) {

@@ -30,11 +30,19 @@ struct VehicleMark {
 void paintTrail(QPainter& painter, const View& view, const Trail& trail, Seconds now, QColor colour, QColor under);
 /// Where a command that is sent now will find it.
 void paintGhost(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark);
-void paintVehicle(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark,
-                  const CanvasLayers& layers);
-void paintVehicleLabel(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark);
+/// Body, heading, badge.
+void paintVehicle(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark);
+/// The doubt about its place, over the body.
+void paintDoubt(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark);
+/// What it sees ahead.
+void paintObstacle(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark);
+/// Its name, and how long it has been silent.
+[[nodiscard]] QString labelOf(const VehicleMark& mark);
+[[nodiscard]] QSizeF labelSize(const QString& text, const QFont& font);
+/// At the upper left corner of the painter.
+void paintVehicleLabel(QPainter& painter, const CanvasTheme& theme, const VehicleMark& mark);
 /// age: 0 just read, 1 about to vanish.
-void paintFlash(QPainter& painter, const View& view, Point place, QColor colour, double age);
+void paintFlash(QPainter& painter, QPointF at, QColor colour, double age);
 
 /// Half axes (pixels) and turn (degrees, counter-clockwise) of the ellipse that holds the place with 95 %.
 struct Ellipse95 {

@@ -90,6 +90,18 @@ TEST(FleetLayer, FlashesEachReadOnceWhereItsTagLies) {
   EXPECT_TRUE(layer.flashes().empty());
 }
 
+TEST(FleetLayer, ForgetsReadsThatAreLongPastThoughNoFrameIsDrawn) {
+  FleetLayer layer;
+  supervisor::VehicleView v = vehicleAt(1, 0, 0);
+  for (int n = 0; n < 100; ++n) {
+    v.recentReads = {{{}, 0, Seconds{0.1 * n}, spot(1, 2)}};
+    layer.setSnapshot(snapshotOf(0.1 * n, {v}));
+  }
+  EXPECT_LE(layer.flashes().size(), 6U);
+  layer.setSnapshot(nullptr);
+  EXPECT_TRUE(layer.flashes().empty());
+}
+
 TEST(FleetLayer, RestsWhenNothingMoves) {
   FleetLayer layer;
   supervisor::VehicleView v = vehicleAt(1, 0, 0);
