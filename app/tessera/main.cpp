@@ -112,6 +112,8 @@ int main(int argc, char** argv) {
     return kFailed;
   }
   provideRuntimeFolder();
+  // The key that stops all vehicles works in Qt's own file dialogues alone.
+  QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   QApplication application{argc, argv};
   QApplication::setOrganizationName(QStringLiteral("Tessera"));
   QApplication::setApplicationName(QStringLiteral("tessera"));

@@ -16,6 +16,7 @@
 #include "app/tessera/site_files.h"
 #include "app/tessera/window_actions.h"
 #include "app/tessera/window_panels.h"
+#include "store/database.h"
 #include "ui/base/wording.h"
 #include "ui/canvas/floor_canvas.h"
 #include "ui/charts/live_charts.h"
@@ -124,7 +125,9 @@ void MainWindow::joinActions() {
   connect(a.disconnectPort, &QAction::triggered, session_, &FleetSession::disconnectGently);
   connect(a.stopAll, &QAction::triggered, this, [this] { session_->post(supervisor::StopAll{}); });
   connect(a.help, &QAction::triggered, this, &MainWindow::showHelp);
-  connect(a.about, &QAction::triggered, this, [this] { ui::AboutDialog{this}.exec(); });
+  connect(a.about, &QAction::triggered, this, [this] {
+    ui::AboutDialog{this, QString::fromStdString(store::sqliteVersion())}.exec();
+  });
   connect(a.commission, &QAction::triggered, this, [this] { commission(std::nullopt); });
   connect(a.editVehicle, &QAction::triggered, this, [this] { commission(selection_.vehicle()); });
   connect(a.radio, &QAction::triggered, this, &MainWindow::openRadio);

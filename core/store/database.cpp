@@ -148,4 +148,18 @@ Error Database::explain(const QSqlError& error) const {
   }
 }
 
+std::string sqliteVersion() {
+  const QString name = QStringLiteral("tessera-version");
+  std::string version;
+  {
+    QSqlDatabase memory = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), name);
+    memory.setDatabaseName(QStringLiteral(":memory:"));
+    QSqlQuery query{memory};
+    if (memory.open() && query.exec(QStringLiteral("SELECT sqlite_version()")) && query.next())
+      version = query.value(0).toString().toStdString();
+  }
+  QSqlDatabase::removeDatabase(name);
+  return version;
+}
+
 }  // namespace tessera::store

@@ -13,6 +13,9 @@
 
 namespace tessera::store {
 
+/// Of the SQLite library that runs, "3.40.1"; empty: there is no driver for it.
+[[nodiscard]] std::string sqliteVersion();
+
 class Database {
 public:
   struct Options {

@@ -114,6 +114,7 @@ void TimeChart::buildCrosshair() {
 }
 
 void TimeChart::setSamples(const std::vector<DriveSample>& samples, double until, double span) {
+  fitTicks();
   samples_ = samples;
   until_ = until;
   QVector<double> times;
@@ -147,6 +148,15 @@ void TimeChart::setSamples(const std::vector<DriveSample>& samples, double until
   error_->axis(QCPAxis::atBottom)->setRange(until - span, until);
   error_->axis(QCPAxis::atLeft)->setRange(-widest, widest);
   pace_->axis(QCPAxis::atLeft)->setRange(slowest, fastest);
+}
+
+// As many numbers as have room one above the other.
+void TimeChart::fitTicks() {
+  for (QCPAxisRect* axes : {error_, pace_}) {
+    QCPAxis* axis = axes->axis(QCPAxis::atLeft);
+    const int line = QFontMetrics{axis->tickLabelFont()}.height();
+    axis->ticker()->setTickCount(std::clamp(axes->height() / (2 * line), 1, 5));
+  }
 }
 
 void TimeChart::setByHand(bool byHand) {

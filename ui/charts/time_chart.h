@@ -26,6 +26,7 @@ public:
 private:
   void buildBand();
   void buildCrosshair();
+  void fitTicks();
   void tip(QMouseEvent* event);
   void hideTip();
   [[nodiscard]] QString valuesAt(const DriveSample& sample) const;
