@@ -111,7 +111,8 @@ TEST_F(SupervisorThreadTest, waitsForAPortThatIsNotThereYet) {
   ASSERT_TRUE(until([&] { return told(EventKind::PortLost) == 1; }));
   until([] { return false; }, 0.4);
   EXPECT_EQ(told(EventKind::PortLost), 1);
-  EXPECT_NE(events[0].sentence.english().find("there is no such device"), std::string::npos) << events[0].sentence.english();
+  EXPECT_NE(events[0].sentence.english().find("there is no such device"), std::string::npos)
+      << events[0].sentence.english();
   radio.put();
   EXPECT_TRUE(until([&] { return connected(); }));
 }
