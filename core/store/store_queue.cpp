@@ -6,6 +6,20 @@
 namespace tessera::store {
 namespace {
 
+// The waiting change that keeps the same site: only back to the last one of another kind, as a site must not be kept
+// before it is renamed. Nullptr: there is none.
+template <class Changes>
+SiteChange* replaceable(Changes& changes, const SiteChange& change) {
+  const auto* keep = std::get_if<KeepSite>(&change);
+  if (keep == nullptr) return nullptr;
+  for (auto it = changes.rbegin(); it != changes.rend(); ++it) {
+    const auto* waiting = std::get_if<KeepSite>(&*it);
+    if (waiting == nullptr) return nullptr;
+    if (waiting->key == keep->key) return &*it;
+  }
+  return nullptr;
+}
+
 std::size_t rank(const Note& note) { return static_cast<std::size_t>(note.event.severity); }
 
 }  // namespace
@@ -14,16 +28,11 @@ bool StoreQueue::change(SiteChange change) {
   {
     const std::lock_guard hold{lock_};
     if (closed_) return false;
-    // Only back to the last change of another kind: a site must not be kept before it is renamed.
-    const auto* keep = std::get_if<KeepSite>(&change);
-    for (auto it = changes_.rbegin(); keep != nullptr && it != changes_.rend(); ++it) {
-      auto* waiting = std::get_if<KeepSite>(&*it);
-      if (waiting == nullptr) break;
-      if (waiting->key != keep->key) continue;
-      std::swap(*it, change);  // the old one dies below, outside the lock
-      keep = nullptr;
-    }
-    if (keep != nullptr || !std::holds_alternative<KeepSite>(change)) changes_.push_back(std::move(change));
+    // The old one dies below, outside the lock.
+    if (SiteChange* older = replaceable(changes_, change))
+      std::swap(*older, change);
+    else
+      changes_.push_back(std::move(change));
   }
   filled_.notify_one();
   return true;
