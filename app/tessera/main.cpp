@@ -70,7 +70,7 @@ int runWindow(const Words& words, bool driving) {
   if (!words.language.empty()) window.setLanguage(QString::fromStdString(words.language));
   if (!words.appearance.empty()) window.setAppearance(appearanceOf(QString::fromStdString(words.appearance)));
   window.session().setEmulated(words.emulated);
-  const PoliteEnd politeEnd{[&window] { window.close(); }};
+  const PoliteEnd politeEnd{[&window] { window.endUnasked(); }};
   window.show();
   QString failure;
   if (driving) {

@@ -115,7 +115,7 @@ void MainWindow::setAppearance(Appearance appearance) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!files_->mayLeave()) {
+  if (!unasked_ && !files_->mayLeave()) {
     event->ignore();
     return;
   }
@@ -126,6 +126,14 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   session_->close();
   keeper_->close();
   event->accept();
+}
+
+void MainWindow::endUnasked() {
+  unasked_ = true;
+  while (QWidget* dialogue = QApplication::activeModalWidget()) {
+    if (!dialogue->close()) break;
+  }
+  close();
 }
 
 void MainWindow::changeEvent(QEvent* event) {

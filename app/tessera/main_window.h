@@ -54,6 +54,9 @@ public:
   /// Opens the demo floor and supervises its simulated vehicles.
   void openDemo();
   void connectTo(const ui::ConnectionChoice& choice);
+  /// Ends without asking anybody anything, as when the computer is shut down. What is not saved is offered again at the
+  /// next start.
+  void endUnasked();
 
 protected:
   void closeEvent(QCloseEvent* event) override;
@@ -97,6 +100,7 @@ private:
   ui::StopAllButton* stopAll_;
   ui::StopAllKey* stopAllKey_;
   QPointer<ui::HelpWindow> help_;
+  bool unasked_ = false;
   bool open_ = false;  // a site stands in the document
   QLabel* place_;
   QLabel* hint_;
