@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QIcon>
+#include <QTimer>
 #include <cstdlib>
 #include <iostream>
 
@@ -84,11 +85,14 @@ int runWindow(const Words& words, bool driving) {
       window.close();
     });
   }
-  if (!words.site.empty() && !window.files().open(QString::fromStdString(words.site)))
-    failure = QObject::tr("The site could not be opened.");
-  if (words.demo) window.openDemo();
-  if (!words.port.empty())
-    window.connectTo(choiceOf(QString::fromStdString(words.port), window.document().site().radio.baud));
+  // From within the event loop, which a question may have to leave.
+  QTimer::singleShot(0, &window, [&] {
+    if (!words.site.empty() && !window.files().open(QString::fromStdString(words.site)))
+      failure = QStringLiteral("The site was not opened.");
+    if (words.demo) window.openDemo();
+    if (!words.port.empty())
+      window.connectTo(choiceOf(QString::fromStdString(words.port), window.document().site().radio.baud));
+  });
   const int code = QApplication::exec();
   if (failure.isEmpty()) return code;
   std::cerr << "tessera: " << failure.toStdString() << std::endl;

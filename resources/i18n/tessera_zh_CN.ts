@@ -846,13 +846,6 @@
     </message>
 </context>
 <context>
-    <name>QObject</name>
-    <message>
-        <source>The site could not be opened.</source>
-        <translation>无法打开场地。</translation>
-    </message>
-</context>
-<context>
     <name>RouteEdits</name>
     <message>
         <source>Route %1</source>
