@@ -47,6 +47,9 @@ QToolButton* EventPanel::makeButton(const QString& name, const QString& iconName
   return button;
 }
 
+// Hiding its children is the last thing that a widget does, and moves the bar once more.
+EventPanel::~EventPanel() { view_->verticalScrollBar()->disconnect(this); }
+
 void EventPanel::build() {
   severity_ = new QComboBox{this};
   severity_->setObjectName(QStringLiteral("severityFilter"));

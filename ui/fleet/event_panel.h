@@ -20,6 +20,7 @@ class EventPanel : public QWidget {
   Q_OBJECT
 public:
   EventPanel(FleetLink& link, Selection& selection, SiteDocument& document, QWidget* parent = nullptr);
+  ~EventPanel() override;
 
   /// Turns the supervisor's time into the time of day. Without it an event gets the time of its arrival.
   void setClock(std::function<QDateTime(Seconds)> clock) { model_.setClock(std::move(clock)); }
