@@ -1,34 +1,17 @@
 // tessera-cli: everything that Tessera does without a window.
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <QApplication>
-#include <QDir>
-#include <QFileInfo>
 
 #include "app/cli/command.h"
 #include "app/cli/exit_codes.h"
 #include "app/cli/output.h"
-
-namespace {
-
-// Qt wants a private folder for run-time files and complains where a bare system (a container, a build machine) gives
-// it none.
-void provideRuntimeFolder() {
-  if (!qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR")) return;
-  const QString folder = QDir::tempPath() + QStringLiteral("/tessera-run-%1").arg(getuid());
-  if (mkdir(qPrintable(folder), 0700) == 0 || QFileInfo{folder}.isDir())
-    qputenv("XDG_RUNTIME_DIR", folder.toLocal8Bit());
-}
-
-}  // namespace
+#include "app/process/runtime_folder.h"
 
 int main(int argc, char** argv) {
   using namespace tessera::cli;
   // Charts are drawn by widgets, which need a platform; this one needs no display.
   qputenv("QT_QPA_PLATFORM", "offscreen");
-  provideRuntimeFolder();
+  tessera::process::provideRuntimeFolder();
 
   CLI::App app{"Tessera without a window: supervise vehicles on an RFID tile floor, check sites, run experiments.",
                "tessera-cli"};

@@ -41,7 +41,7 @@ public:
   [[nodiscard]] const std::optional<ui::ConnectionChoice>& choice() const { return choice_; }
   /// Ends what runs, then supervises the site's vehicles. Options of the simulated world go to Kind::Demo alone.
   void connectTo(const ui::ConnectionChoice& choice, std::shared_ptr<const floor::SiteMap> map);
-  /// The vehicles stop, then the port closes; finished() follows.
+  /// The vehicles stop, then the port closes and the state is Off.
   void disconnectGently();
   /// The same at once, in some seconds at most. True: every vehicle stood.
   bool close();

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "app/process/runtime_folder.h"
 #include "app/tessera/demo_drive.h"
 #include "app/tessera/fleet_session.h"
 #include "app/tessera/main_window.h"
@@ -35,11 +36,13 @@ struct Words {
 
 void describe(CLI::App& app, Words& w) {
   app.add_option("SITE", w.site, "Site to open, *.tessera.json (default: the one that was open last)");
-  app.add_flag("--demo", w.demo, "Open the demo floor and let its simulated vehicle drive");
+  app.add_flag("--demo", w.demo, "Open the demo floor and connect to its simulated vehicle");
   app.add_flag("--qemu", w.emulated, "The simulated vehicles' firmware runs in an emulated LM3S6965 (needs QEMU)");
   app.add_option("--connect", w.port, "Connect at once: a serial port, tcp://HOST:PORT, or demo");
   auto* drive =
-      app.add_option("--drive", w.route, "Send the first vehicle that answers along this route")->expected(0, 1);
+      app.add_option("--drive", w.route,
+                     "Send the first vehicle that answers along this route (without a name: the site's first)")
+          ->expected(0, 1);
   app.add_option("--speed", w.speed, "Speed of that drive in m/s")->check(CLI::Range{0.01, 2.0})->capture_default_str();
   app.add_flag("--until-finished", w.untilFinished, "End at the end of that drive")->needs(drive);
   app.add_option("--out", w.folder, "Folder for a picture of the window at the end of that drive");
@@ -115,7 +118,7 @@ int main(int argc, char** argv) {
     std::cerr << "tessera: " << sentence << std::endl;
     return kFailed;
   }
-  provideRuntimeFolder();
+  tessera::process::provideRuntimeFolder();
   // The key that stops all vehicles works in Qt's own file dialogues alone.
   QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   QApplication application{argc, argv};

@@ -4,13 +4,10 @@
 
 #ifdef Q_OS_UNIX
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <csignal>
 #endif
-#include <QDir>
-#include <QFileInfo>
 #include <utility>
 
 namespace tessera::desktop {
@@ -27,13 +24,6 @@ std::string whyNoWindow() {
 #else
   return {};
 #endif
-}
-
-void provideRuntimeFolder() {
-  if (!qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR")) return;
-  const QString folder = QDir::tempPath() + QStringLiteral("/tessera-run-%1").arg(getuid());
-  if (mkdir(qPrintable(folder), 0700) == 0 || QFileInfo{folder}.isDir())
-    qputenv("XDG_RUNTIME_DIR", folder.toLocal8Bit());
 }
 
 namespace {
@@ -69,7 +59,6 @@ PoliteEnd::~PoliteEnd() {
 #else
 
 std::string whyNoWindow() { return {}; }
-void provideRuntimeFolder() {}
 PoliteEnd::PoliteEnd(std::function<void()>) {}
 PoliteEnd::~PoliteEnd() = default;
 

@@ -11,9 +11,6 @@ namespace tessera::desktop {
 /// Empty: a window can be shown; otherwise why not, and what to do. Qt itself would abort.
 [[nodiscard]] std::string whyNoWindow();
 
-/// Qt wants a private folder for run-time files and complains where a bare system gives it none.
-void provideRuntimeFolder();
-
 /// While it lives, Ctrl-C and a polite kill call `end` from the event loop instead of ending the program on the spot:
 /// the vehicles stop first.
 class PoliteEnd {

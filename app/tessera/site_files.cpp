@@ -90,32 +90,35 @@ bool SiteFiles::read(const QString& path) {
     tell(tr("The site could not be opened"), QString::fromStdString(map.error().sentence));
     return false;
   }
-  const auto unsaved = recovery_ ? recovery_(path) : nullptr;
+  auto unsaved = recovery_ ? recovery_(path) : nullptr;
+  if (unsaved && unsaved->site() == (*map)->site()) unsaved = nullptr;
+  // Asked before anything is touched: until there is an answer, both stay as they are.
+  const auto answer = unsaved ? askRecovery(path) : Recovery::Forget;
+  if (answer == Recovery::Undecided) return false;
   document_.replace(*map, path);
   settings_.addRecent(path);
   settings_.setSite(path);
-  if (unsaved && !(unsaved->site() == (*map)->site())) {
-    // As one step upon the file's contents, so that it can be looked at, saved or undone like any other.
-    if (wantsRecovered(path))
-      document_.restore(tr("Restore unsaved changes"), unsaved);
-    else
-      Q_EMIT givenUp(path);
-  }
+  // As one step upon the file's contents, so that it can be looked at, saved or undone like any other.
+  if (answer == Recovery::TakeUp)
+    document_.restore(tr("Restore unsaved changes"), unsaved);
+  else if (unsaved)
+    Q_EMIT givenUp(path);
   Q_EMIT opened();
   return true;
 }
 
-bool SiteFiles::wantsRecovered(const QString& path) {
+SiteFiles::Recovery SiteFiles::askRecovery(const QString& path) {
   QMessageBox box{QMessageBox::Question, tr("Unsaved changes were kept"),
                   tr("When %1 was open last, the program ended before its changes were saved. Take them up again?")
                       .arg(QFileInfo{path}.fileName()),
                   QMessageBox::NoButton, &window_};
   box.setObjectName(QStringLiteral("recoverQuestion"));
   QAbstractButton* take = box.addButton(tr("&Take them up"), QMessageBox::AcceptRole);
-  box.addButton(tr("&Forget them"), QMessageBox::DestructiveRole);
+  QAbstractButton* forget = box.addButton(tr("&Forget them"), QMessageBox::DestructiveRole);
   box.setDefaultButton(qobject_cast<QPushButton*>(take));
   box.exec();
-  return box.clickedButton() == take;
+  if (box.clickedButton() == take) return Recovery::TakeUp;
+  return box.clickedButton() == forget ? Recovery::Forget : Recovery::Undecided;
 }
 
 bool SiteFiles::save() { return document_.path().isEmpty() ? saveAs() : writeTo(document_.path()); }

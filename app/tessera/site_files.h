@@ -47,7 +47,9 @@ Q_SIGNALS:
 private:
   bool read(const QString& path);
   bool writeTo(const QString& path);
-  [[nodiscard]] bool wantsRecovered(const QString& path);
+  /// Undecided: the question was closed without an answer, as when the program has to end.
+  enum class Recovery { TakeUp, Forget, Undecided };
+  [[nodiscard]] Recovery askRecovery(const QString& path);
   void tell(const QString& title, const QString& sentence);
 
   ui::SiteDocument& document_;
