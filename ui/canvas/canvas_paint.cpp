@@ -9,6 +9,11 @@
 #include "ui/canvas/furniture.h"
 
 namespace tessera::ui {
+namespace {
+
+constexpr std::chrono::milliseconds kSlice{5};  // of drawing between two looks at mouse, keys and vehicles
+
+}  // namespace
 
 FloorScene FloorCanvas::scene() const {
   return {map_, index_, mip_, layers_, route_, !(tool_ && tool_->drawsChosenRoute()), font()};
@@ -28,12 +33,46 @@ std::vector<VehicleMark> FloorCanvas::marks() const {
   return marks;
 }
 
+Ground FloorCanvas::ground() const {
+  Ground ground{view_, scene(), theme_, {}, fleet_.snapshot() ? fleet_.snapshot()->time + sinceSnapshot() : Seconds{}};
+  if (!layers_.trails || !fleet_.snapshot()) return ground;
+  // The chosen one's lies above the others, as its body does.
+  for (const bool chosen : {false, true}) {
+    for (const supervisor::VehicleView& v : fleet_.snapshot()->vehicles) {
+      const Trail* trail = fleet_.trail(v.id);
+      if (v.located && trail != nullptr && (vehicle_ == v.id) == chosen)
+        ground.trails.push_back({v.id, trail, vehicleColour(map_->site(), v.id, palette())});
+    }
+  }
+  return ground;
+}
+
+void FloorCanvas::finishDrawing() {
+  do {
+    ground_.prepare(ground());
+    ground_.work(ground(), GroundLayer::kForever);
+  } while (!ground_.settled());
+  update();
+}
+
+void FloorCanvas::drawOn() {
+  if (ground_.work(ground(), kSlice)) {
+    update();
+  } else if (!ground_.settled()) {
+    drawing_.start();
+  }
+}
+
 void FloorCanvas::paintEvent(QPaintEvent* event) {
   if (view_.devicePixelRatio() != devicePixelRatioF()) view_.resize(size(), devicePixelRatioF());
-  still_.prepare(view_, scene(), theme_);
+  const Ground under = ground();
+  ground_.prepare(under);
+  // A small floor is complete at once; a part of the window cannot be given another picture than the rest.
+  if (event->region().boundingRect() == rect()) ground_.work(under, kSlice);
+  if (!ground_.settled()) drawing_.start();
   QPainter painter{this};
   painter.setFont(font());
-  for (const QRect& rect : event->region()) still_.blit(painter, rect);
+  for (const QRect& rect : event->region()) ground_.blit(painter, rect, theme_.background);
   paintLive(painter, event->region());
   const QSize band = rulerBand(font()).toSize();
   if (layers_.grid && (event->region().intersects(QRect{0, 0, band.width(), height()}) ||
@@ -41,19 +80,12 @@ void FloorCanvas::paintEvent(QPaintEvent* event) {
     paintRulers(painter, view_, theme_);
   paintScaleBar(painter, view_, theme_);
   paintNorthArrow(painter, view_, theme_, map_->site().northToY);
-  if (event->region().boundingRect() == rect()) wholeAge_.start();
 }
 
 void FloorCanvas::paintLive(QPainter& painter, const QRegion& region) {
   const Seconds now = fleet_.snapshot() ? fleet_.snapshot()->time + sinceSnapshot() : Seconds{};
   const std::vector<VehicleMark> all = marks();
   painter.setRenderHint(QPainter::Antialiasing);
-  if (layers_.trails) {
-    for (const VehicleMark& mark : all) {
-      if (const Trail* trail = fleet_.trail(mark.vehicle->id))
-        paintTrail(painter, view_, *trail, now, mark.colour, theme_.tile);
-    }
-  }
   std::vector<VehicleMark> seen;
   for (const VehicleMark& mark : all) {
     if (region.intersects(extentOf(mark, view_, font(), layers_).toAlignedRect())) seen.push_back(mark);

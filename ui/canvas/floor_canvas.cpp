@@ -10,7 +10,7 @@ namespace {
 constexpr double kFitMargin = 60.0;
 constexpr double kZoomStep = 1.5;
 constexpr int kFrameMs = 16;
-constexpr qint64 kWholeEveryMs = 1000;  // trails fade as a whole this often; in between only vehicles are painted
+constexpr qint64 kFadeEveryMs = 1000;
 
 SiteBox contentOf(const floor::Site& site, const FloorIndex& index) {
   SiteBox box = index.box();
@@ -48,6 +48,8 @@ FloorCanvas::FloorCanvas(QWidget* parent)
   frames_.setTimerType(Qt::PreciseTimer);
   frames_.setInterval(kFrameMs);
   connect(&frames_, &QTimer::timeout, this, &FloorCanvas::showFrame);
+  drawing_.setSingleShot(true);
+  connect(&drawing_, &QTimer::timeout, this, &FloorCanvas::drawOn);
   refreshContent();
   retranslate();
 }
@@ -69,7 +71,10 @@ void FloorCanvas::setMap(std::shared_ptr<const floor::SiteMap> map) {
   }
   refreshContent();
   sprites_.clear();  // footprints may be others
-  if (!same) fit();
+  if (!same) {
+    ground_.clear();
+    fit();
+  }
   redrawFloor();
 }
 
@@ -79,12 +84,17 @@ void FloorCanvas::refreshContent() {
 }
 
 void FloorCanvas::redrawFloor() {
-  still_.invalidate();
+  ground_.invalidate();
   update();
 }
 
 void FloorCanvas::setSnapshot(std::shared_ptr<const supervisor::Snapshot> snapshot) {
+  const bool otherRun = fleet_.snapshot() && (!snapshot || snapshot->time < fleet_.snapshot()->time);
   fleet_.setSnapshot(std::move(snapshot));
+  if (otherRun) {
+    ground_.fade();
+    drawing_.start();
+  }
   snapshotAge_.start();
   if (!isVisible()) return;
   if (!frames_.isActive()) {
@@ -112,10 +122,11 @@ void FloorCanvas::showFrame() {
   }
   const QRegion changed = live_ + now;
   live_ = now;
-  if (!wholeAge_.isValid() || wholeAge_.elapsed() > kWholeEveryMs) {
-    update();
-  } else {
-    update(changed);
+  update(changed);
+  if (layers_.trails && (!trailsAge_.isValid() || trailsAge_.elapsed() > kFadeEveryMs)) {
+    trailsAge_.start();
+    ground_.fade();
+    drawing_.start();
   }
 }
 

@@ -13,7 +13,7 @@
 
 #include "ui/canvas/canvas_tool.h"
 #include "ui/canvas/fleet_layer.h"
-#include "ui/canvas/still_layer.h"
+#include "ui/canvas/ground_layer.h"
 #include "ui/canvas/vehicle_sprites.h"
 
 namespace tessera::ui {
@@ -46,6 +46,9 @@ public:
   [[nodiscard]] QSize sizeHint() const override { return {960, 640}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {240, 180}; }
   [[nodiscard]] bool isAnimating() const { return frames_.isActive(); }
+  /// A large floor is drawn over several frames; after this call it is complete, as a picture of the window needs it.
+  void finishDrawing();
+  [[nodiscard]] bool isDrawn() const { return ground_.settled(); }
 
 public Q_SLOTS:
   void zoomIn();
@@ -99,6 +102,8 @@ private:
   [[nodiscard]] Seconds sinceSnapshot() const;
   [[nodiscard]] std::vector<VehicleMark> marks() const;
   [[nodiscard]] FloorScene scene() const;
+  [[nodiscard]] Ground ground() const;
+  void drawOn();
   [[nodiscard]] CanvasScene toolScene() const { return {view_, *map_, *index_}; }
   [[nodiscard]] ToolMouse toolMouse(const QMouseEvent& event) const;
   [[nodiscard]] std::optional<VehicleId> vehicleAt(QPointF pixel) const;
@@ -116,7 +121,7 @@ private:
   View view_;
   CanvasTheme theme_;
   CanvasLayers layers_;
-  StillLayer still_;
+  GroundLayer ground_;
   FleetLayer fleet_;
   VehicleSprites sprites_;
   QPointer<CanvasTool> tool_;
@@ -130,9 +135,10 @@ private:
   QPointF lastAt_;
   bool space_ = false;
   QTimer frames_;
+  QTimer drawing_;  ///< what of the ground is not drawn yet
   QElapsedTimer snapshotAge_;
-  QElapsedTimer wholeAge_;  ///< since trails were last painted whole
-  QRegion live_;            ///< where vehicles were painted last
+  QElapsedTimer trailsAge_;  ///< since they were last faded
+  QRegion live_;             ///< where vehicles were painted last
 };
 
 }  // namespace tessera::ui

@@ -85,4 +85,16 @@ std::vector<Trail::Piece> Trail::pieces(const View& view, Seconds now, int bands
   return pieces;
 }
 
+std::vector<QPolygonF> Trail::since(const View& view, Seconds time) const {
+  auto first = points_.end();
+  while (first != points_.begin() && (first == points_.end() || first->time > time)) --first;
+  std::vector<QPolygonF> lines;
+  for (; first != points_.end(); ++first) {
+    if (first->begins || lines.empty()) lines.emplace_back();
+    lines.back() << view.toPixel(first->place);
+  }
+  std::erase_if(lines, [](const QPolygonF& line) { return line.size() < 2; });
+  return lines;
+}
+
 }  // namespace tessera::ui

@@ -23,6 +23,8 @@ public:
   void interrupt() { broken_ = true; }
   void clear();
   [[nodiscard]] std::size_t size() const { return points_.size(); }
+  /// When the last point was added; the trail must have one.
+  [[nodiscard]] Seconds last() const { return points_.back().time; }
 
   struct Piece {
     QPolygonF line;    ///< pixels
@@ -30,6 +32,8 @@ public:
   };
   /// Pieces of similar age, oldest first, without points that make less than half a pixel's difference.
   [[nodiscard]] std::vector<Piece> pieces(const View& view, Seconds now, int bands) const;
+  /// The lines (pixels) to the points that are younger than `time`, from the last older one on.
+  [[nodiscard]] std::vector<QPolygonF> since(const View& view, Seconds time) const;
 
 private:
   struct Mark {

@@ -119,18 +119,35 @@ QRectF extentOf(const VehicleMark& mark, const View& view, const QFont& font, co
   return extent.adjusted(-14, -14, 14, 14);
 }
 
-void paintTrail(QPainter& painter, const View& view, const Trail& trail, Seconds now, QColor colour, QColor under) {
-  const QRectF window = QRectF{QPointF{}, view.size()}.adjusted(-4, -4, 4, 4);
-  // Hair lines side by side: the painter has a short way for them, and a hundred trails are the most that it draws.
+namespace {
+
+// Hair lines side by side: the painter has a short way for them, and a hundred trails are the most that it draws.
+void strokeHairs(QPainter& painter, const View& view, const QPolygonF& line, QColor colour) {
+  painter.setPen(QPen{colour, 0});
   const int hairs = std::max(2, static_cast<int>(std::lround(2 * view.devicePixelRatio())));
-  for (const Trail::Piece& piece : trail.pieces(view, now, kTrailBands)) {
-    if (!piece.line.boundingRect().adjusted(-2, -2, 2, 2).intersects(window)) continue;
-    painter.setPen(QPen{mixedColour(under, colour, 0.15 + 0.7 * (1.0 - piece.age)), 0});
-    for (int n = 0; n < hairs; ++n) {
-      const double aside = (n - (hairs - 1) / 2.0) * 0.7 / view.devicePixelRatio();
-      painter.drawPolyline(piece.line.translated(aside, -aside));
-    }
+  for (int n = 0; n < hairs; ++n) {
+    const double aside = (n - (hairs - 1) / 2.0) * 0.7 / view.devicePixelRatio();
+    painter.drawPolyline(line.translated(aside, -aside));
   }
+}
+
+QColor trailColour(QColor under, QColor colour, double age) { return mixedColour(under, colour, 0.85 - 0.7 * age); }
+
+}  // namespace
+
+void paintTrail(QPainter& painter, const View& view, const Trail& trail, Seconds now, QColor colour, QColor under,
+                const QRectF& within) {
+  for (const Trail::Piece& piece : trail.pieces(view, now, kTrailBands)) {
+    if (piece.line.boundingRect().adjusted(-4, -4, 4, 4).intersects(within))
+      strokeHairs(painter, view, piece.line, trailColour(under, colour, piece.age));
+  }
+}
+
+void paintTrailEnd(QPainter& painter, const View& view, const Trail& trail, Seconds since, QColor colour,
+                   QColor under) {
+  const double young = 0.5 / kTrailBands;
+  for (const QPolygonF& line : trail.since(view, since))
+    strokeHairs(painter, view, line, trailColour(under, colour, young));
 }
 
 void paintGhost(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark) {

@@ -26,8 +26,11 @@ struct VehicleMark {
 /// Everything of the mark but its trail lies in here.
 [[nodiscard]] QRectF extentOf(const VehicleMark& mark, const View& view, const QFont& font, const CanvasLayers& layers);
 
-/// Fades towards `under`, the colour of the floor.
-void paintTrail(QPainter& painter, const View& view, const Trail& trail, Seconds now, QColor colour, QColor under);
+/// Fades towards `under`, the colour of the floor. Pieces that do not reach `within` (pixels) are left out.
+void paintTrail(QPainter& painter, const View& view, const Trail& trail, Seconds now, QColor colour, QColor under,
+                const QRectF& within);
+/// What came to the trail after that time.
+void paintTrailEnd(QPainter& painter, const View& view, const Trail& trail, Seconds since, QColor colour, QColor under);
 /// Where a command that is sent now will find it.
 void paintGhost(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark);
 /// Body, heading, badge.

@@ -35,6 +35,11 @@ protected:
     QTest::mouseRelease(&canvas, button, {}, to);
   }
 
+  [[nodiscard]] QImage picture() {
+    canvas.finishDrawing();
+    return canvas.grab().toImage();
+  }
+
   FloorCanvas canvas;
 };
 
@@ -157,30 +162,65 @@ TEST_F(CanvasUnderTest, DrawsFramesOnlyWhileSomethingMoves) {
 }
 
 TEST_F(CanvasUnderTest, ShowsAVehicleInItsPlaceAndTakesItAwayAgain) {
-  const QColor floor = canvas.grab().toImage().pixelColor(pixel(1.35, 1.05));
+  const QColor floor = picture().pixelColor(pixel(1.35, 1.05));
   auto v = vehicleAt(1, 1.3, 1.05);
   v.covariance = {};
   canvas.setSnapshot(snapshotOf(1.0, {v}));
-  EXPECT_NE(canvas.grab().toImage().pixelColor(pixel(1.35, 1.05)), floor);
+  EXPECT_NE(picture().pixelColor(pixel(1.35, 1.05)), floor);
   canvas.setSnapshot(nullptr);
-  EXPECT_EQ(canvas.grab().toImage().pixelColor(pixel(1.35, 1.05)), floor);
+  EXPECT_EQ(picture().pixelColor(pixel(1.35, 1.05)), floor);
 }
 
 TEST_F(CanvasUnderTest, LeavesOutWhatIsSwitchedOff) {
   const QPoint onRoute = pixel(0.9, 1.4);
-  const QColor route = canvas.grab().toImage().pixelColor(onRoute);
+  const QColor route = picture().pixelColor(onRoute);
   CanvasLayers layers;
   layers.routes = false;
   layers.tags = false;
   canvas.setLayers(layers);
-  EXPECT_NE(canvas.grab().toImage().pixelColor(onRoute), route);
+  EXPECT_NE(picture().pixelColor(onRoute), route);
   QSignalSpy routes{&canvas, &FloorCanvas::routePicked};
   QTest::mouseClick(&canvas, Qt::LeftButton, {}, onRoute);
   EXPECT_EQ(routes.count(), 0);
 }
 
+TEST_F(CanvasUnderTest, ShowsTheOldPictureScaledUntilTheNewOneIsComplete) {
+  canvas.setMap(tiledMap(60, 40));
+  canvas.finishDrawing();
+  canvas.zoomIn();
+  const QImage atOnce = canvas.grab().toImage();  // however little of the new one is ready
+  EXPECT_NE(atOnce.pixelColor(450, 300), atOnce.pixelColor(895, 5)) << "the floor is there, the surroundings too";
+  EXPECT_TRUE(QTest::qWaitFor([&] { return canvas.isDrawn(); }));
+  EXPECT_EQ(canvas.grab().toImage(), picture());
+}
+
+TEST_F(CanvasUnderTest, TrailsGrowFadeAndGoWithTheirRun) {
+  const auto at = [&](double time, double x) {
+    auto v = vehicleAt(1, x, 0.62);
+    v.covariance = {};
+    canvas.setSnapshot(snapshotOf(time, {v}));
+  };
+  const QColor floor = picture().pixelColor(pixel(1.0, 0.62));
+  for (int n = 0; n <= 20; ++n) at(0.1 * n, 0.7 + 0.05 * n);
+  const QColor young = canvas.grab().toImage().pixelColor(pixel(1.0, 0.62));
+  EXPECT_NE(young, floor);
+  at(45.0, 1.71);
+  canvas.finishDrawing();
+  at(46.5, 1.71);
+  CanvasLayers without;
+  without.trails = false;
+  canvas.setLayers(without);
+  EXPECT_EQ(picture().pixelColor(pixel(1.0, 0.62)), floor);
+  canvas.setLayers({});
+  const QColor old = picture().pixelColor(pixel(1.0, 0.62));
+  EXPECT_NE(old, floor);
+  EXPECT_NE(old, young) << "it fades";
+  canvas.setSnapshot(nullptr);
+  EXPECT_EQ(picture().pixelColor(pixel(1.0, 0.62)), floor);
+}
+
 TEST_F(CanvasUnderTest, TurnsDarkWithThePalette) {
-  const auto corner = [&] { return canvas.grab().toImage().pixelColor(890, 300).lightness(); };
+  const auto corner = [&] { return picture().pixelColor(890, 300).lightness(); };
   EXPECT_GT(corner(), 128);
   QPalette dark;
   dark.setColor(QPalette::Window, QColor{30, 30, 30});
@@ -205,13 +245,13 @@ TEST_F(CanvasUnderTest, BearsStrangeSitesAndSnapshots) {
   canvas.setSnapshot(snapshotOf(1.0, {v, w}));
   for (int n = 0; n < 40; ++n) {
     canvas.zoomIn();
-    canvas.grab();
+    canvas.finishDrawing();
   }
   for (int n = 0; n < 80; ++n) canvas.zoomOut();
-  EXPECT_FALSE(canvas.grab().isNull());
+  EXPECT_FALSE(picture().isNull());
   canvas.setSnapshot(nullptr);
   canvas.setMap(nullptr);
-  EXPECT_FALSE(canvas.grab().isNull());
+  EXPECT_FALSE(picture().isNull());
 }
 
 }  // namespace
