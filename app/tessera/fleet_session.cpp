@@ -8,6 +8,7 @@
 
 #include "app/world/world_options.h"
 #include "floor/site_json.h"
+#include "supervisor/site_change.h"
 
 namespace tessera::desktop {
 namespace {
@@ -41,10 +42,14 @@ FleetSession::FleetSession(QObject* parent) : ui::FleetLink{parent} {
 FleetSession::~FleetSession() { close(); }
 
 std::shared_ptr<const supervisor::Snapshot> FleetSession::latest() const {
-  return thread_ ? thread_->latest() : nullptr;
+  return thread_ && !outdated_ ? thread_->latest() : nullptr;
 }
 
 bool FleetSession::post(supervisor::Order order) {
+  const bool stops =
+      std::holds_alternative<supervisor::Stop>(order) || std::holds_alternative<supervisor::StopAll>(order);
+  if (outdated_ && !stops) return false;
+  if (const auto* pair = std::get_if<supervisor::Pair>(&order)) offered_[pair->vehicle] = pair->newKey;
   // An order may name a route that was drawn just now.
   if (editing_.isActive()) passSiteOn();
   return thread_ && thread_->post(std::move(order));
@@ -90,13 +95,28 @@ bool FleetSession::close() {
 }
 
 void FleetSession::useSite(std::shared_ptr<const floor::SiteMap> map) {
-  const bool same = map_ && map_->site().vehicles == map->site().vehicles && map_->site().radio == map->site().radio;
+  const bool same = map_ && goesOnWith(map->site());
   map_ = std::move(map);
   if (state_ != State::Live && state_ != State::Starting) return;
-  if (!same)
+  if (!same) {
+    outdated_ = true;
     connectTo(*choice_, map_);
-  else if (!editing_.isActive())
+    Q_EMIT snapshotChanged();
+  } else if (!editing_.isActive()) {
     editing_.start();
+  }
+}
+
+// A vehicle that was paired stands in the site with its new key.
+bool FleetSession::goesOnWith(const floor::Site& site) const {
+  std::vector<floor::VehicleSetup> vehicles = map_->site().vehicles;
+  for (auto& was : vehicles) {
+    const auto is =
+        std::find_if(site.vehicles.begin(), site.vehicles.end(), [&](const auto& v) { return v.id == was.id; });
+    const auto key = offered_.find(was.id);
+    if (is != site.vehicles.end() && key != offered_.end() && is->key == key->second) was.key = is->key;
+  }
+  return supervisor::sameFleet(map_->site().radio, vehicles, site);
 }
 
 void FleetSession::passSiteOn() {
@@ -187,7 +207,7 @@ void FleetSession::lookWhetherStopped() {
 }
 
 bool FleetSession::allStand() const {
-  const auto picture = latest();
+  const auto picture = thread_ ? thread_->latest() : nullptr;
   if (!picture || picture->port.state != supervisor::PortState::Open) return true;
   return std::all_of(picture->vehicles.begin(), picture->vehicles.end(), [](const supervisor::VehicleView& v) {
     return v.contact != supervisor::Contact::Connected || (v.command && v.command->mode == wire::CommandMode::Stop &&
@@ -198,6 +218,8 @@ bool FleetSession::allStand() const {
 void FleetSession::finish() {
   if (state_ == State::Off) return;
   endThread();
+  outdated_ = false;
+  offered_.clear();
   if (world_) world_.release()->deleteLater();
   port_.reset();
   folder_.reset();

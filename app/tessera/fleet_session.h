@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QTimer>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -35,6 +36,7 @@ public:
   ~FleetSession() override;
 
   [[nodiscard]] std::shared_ptr<const supervisor::Snapshot> latest() const override;
+  /// A Pair's key is kept first. While supervision ends, orders to stop are taken alone.
   bool post(supervisor::Order order) override;
 
   [[nodiscard]] State state() const { return state_; }
@@ -76,11 +78,14 @@ private:
   void onWorldDied(const QString& sentence);
   void lookWhetherStopped();
   [[nodiscard]] bool allStand() const;
+  [[nodiscard]] bool goesOnWith(const floor::Site& site) const;
 
   State state_ = State::Off;
   std::optional<ui::ConnectionChoice> choice_;
   std::optional<ui::ConnectionChoice> next_;  // connects when the present one has ended
   std::shared_ptr<const floor::SiteMap> map_;
+  bool outdated_ = false;                   // what runs is of vehicles that the site no longer has
+  std::map<VehicleId, wire::Key> offered_;  // keys that vehicles were given during this supervision
   bool emulated_ = false;
   std::unique_ptr<QTemporaryDir> folder_;  // the site's file for the simulated world
   std::unique_ptr<process::WorldProcess> world_;

@@ -29,6 +29,8 @@ public:
   void onSaved(const QString& path);
   /// Changes to this file's site, or with an empty path to the open one, shall be forgotten.
   void onGivenUp(const QString& path);
+  /// Keeps the open site as it stands now, not a moment later.
+  void keepNow() { keepSite(document_.isModified()); }
   /// Asks for the journal's end, which comes with historyLoaded().
   void loadHistory();
   /// Writes what waits. False: not all could be written.

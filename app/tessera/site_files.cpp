@@ -1,10 +1,10 @@
 #include "app/tessera/site_files.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QGuiApplication>
 #include <QInputDialog>
 #include <QMessageBox>
 #include <QPushButton>
@@ -21,8 +21,8 @@ const QString kSuffix = QStringLiteral(".tessera.json");
 
 class WaitCursor {
 public:
-  WaitCursor() { QGuiApplication::setOverrideCursor(Qt::WaitCursor); }
-  ~WaitCursor() { QGuiApplication::restoreOverrideCursor(); }
+  WaitCursor() { QApplication::setOverrideCursor(Qt::WaitCursor); }
+  ~WaitCursor() { QApplication::restoreOverrideCursor(); }
   WaitCursor(const WaitCursor&) = delete;
   WaitCursor& operator=(const WaitCursor&) = delete;
 };
@@ -49,6 +49,12 @@ Result<QString> SiteFiles::demoPath() {
                    ours.errorString().toStdString() + ".");
   QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner);
   return path;
+}
+
+// Saving is asked for from within dialogues as well.
+QWidget* SiteFiles::above() const {
+  QWidget* modal = QApplication::activeModalWidget();
+  return modal != nullptr ? modal : &window_;
 }
 
 bool SiteFiles::open(const QString& path) { return mayLeave() && read(QFileInfo{path}.absoluteFilePath()); }
@@ -111,7 +117,7 @@ SiteFiles::Recovery SiteFiles::askRecovery(const QString& path) {
   QMessageBox box{QMessageBox::Question, tr("Unsaved changes were kept"),
                   tr("When %1 was open last, the program ended before its changes were saved. Take them up again?")
                       .arg(QFileInfo{path}.fileName()),
-                  QMessageBox::NoButton, &window_};
+                  QMessageBox::NoButton, above()};
   box.setObjectName(QStringLiteral("recoverQuestion"));
   QAbstractButton* take = box.addButton(tr("&Take them up"), QMessageBox::AcceptRole);
   QAbstractButton* forget = box.addButton(tr("&Forget them"), QMessageBox::DestructiveRole);
@@ -127,7 +133,7 @@ bool SiteFiles::saveAs() {
   const QString proposal = document_.path().isEmpty()
                                ? QDir::home().filePath(QString::fromStdString(document_.site().name) + kSuffix)
                                : document_.path();
-  QString path = QFileDialog::getSaveFileName(&window_, tr("Save the site"), proposal, tr("Sites (*%1)").arg(kSuffix));
+  QString path = QFileDialog::getSaveFileName(above(), tr("Save the site"), proposal, tr("Sites (*%1)").arg(kSuffix));
   if (path.isEmpty()) return false;
   if (!path.endsWith(QLatin1String{".json"})) path += kSuffix;
   return writeTo(path);
@@ -161,7 +167,7 @@ bool SiteFiles::mayLeave() {
   QMessageBox box{
       QMessageBox::Question, tr("Save the changes?"),
       tr("The site “%1” has changes that are not saved.").arg(QString::fromStdString(document_.site().name)),
-      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_};
+      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, above()};
   box.setObjectName(QStringLiteral("saveQuestion"));
   box.setDefaultButton(QMessageBox::Save);
   switch (box.exec()) {
@@ -175,8 +181,19 @@ bool SiteFiles::mayLeave() {
   }
 }
 
+void SiteFiles::offerToSaveKey(const QString& vehicle) {
+  QMessageBox box{QMessageBox::Warning, tr("Save the vehicle's key?"),
+                  tr("%1 obeys nobody but who has its new key, and no file has it yet. Save the site?").arg(vehicle),
+                  QMessageBox::Save, above()};
+  box.setObjectName(QStringLiteral("saveKeyQuestion"));
+  QAbstractButton* later = box.addButton(tr("&Later"), QMessageBox::RejectRole);
+  box.setDefaultButton(QMessageBox::Save);
+  box.exec();
+  if (box.clickedButton() != nullptr && box.clickedButton() != later) save();
+}
+
 void SiteFiles::tell(const QString& title, const QString& sentence) {
-  QMessageBox box{QMessageBox::Warning, title, sentence, QMessageBox::Ok, &window_};
+  QMessageBox box{QMessageBox::Warning, title, sentence, QMessageBox::Ok, above()};
   box.setObjectName(QStringLiteral("trouble"));
   box.exec();
 }

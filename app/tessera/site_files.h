@@ -28,6 +28,8 @@ public:
   void rename();
   /// Offers to save what is not saved. False: the person wants to stay.
   [[nodiscard]] bool mayLeave();
+  /// A vehicle has a key that no file has yet: offers to save the site.
+  void offerToSaveKey(const QString& vehicle);
 
   /// Where the demo site is kept, so that changes to it can be saved; made when it is not there.
   [[nodiscard]] static Result<QString> demoPath();
@@ -50,6 +52,7 @@ private:
   /// Undecided: the question was closed without an answer, as when the program has to end.
   enum class Recovery { TakeUp, Forget, Undecided };
   [[nodiscard]] Recovery askRecovery(const QString& path);
+  [[nodiscard]] QWidget* above() const;
   void tell(const QString& title, const QString& sentence);
 
   ui::SiteDocument& document_;

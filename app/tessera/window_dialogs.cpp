@@ -4,8 +4,10 @@
 #include <QStatusBar>
 
 #include "app/tessera/fleet_session.h"
+#include "app/tessera/keeper.h"
 #include "app/tessera/main_window.h"
 #include "app/tessera/radio_workbench.h"
+#include "app/tessera/site_files.h"
 #include "ui/commission/commission_wizard.h"
 #include "ui/connect/connect_dialog.h"
 #include "ui/connect/radio_dialog.h"
@@ -51,8 +53,24 @@ void MainWindow::commission(std::optional<VehicleId> vehicle) {
   connect(&wizard, &QWizard::helpRequested, this, &MainWindow::showHelp);
   auto* helpKey = new QShortcut{QKeySequence::HelpContents, &wizard};
   connect(helpKey, &QShortcut::activated, this, &MainWindow::showHelp);
+  connect(&wizard, &ui::CommissionWizard::saveRequested, files_, &SiteFiles::save);
+  // A key that is lost takes its vehicle away. So it goes into the file at once where nothing else would go with it
+  // that nobody has decided to save, and into the database at once where it would.
+  const bool nothingElse = !document_.path().isEmpty() && !document_.isModified();
+  const auto keepKey = [this, &wizard, nothingElse] {
+    if (!wizard.hasPaired() || !wizard.vehicle()) return;
+    if (nothingElse)
+      files_->save();
+    else
+      keeper_->keepNow();
+  };
+  connect(&wizard, &ui::CommissionWizard::paired, this, keepKey);
+  connect(&wizard, &ui::CommissionWizard::siteChanged, this, keepKey);
   wizard.exec();
-  if (wizard.vehicle()) selection_.setVehicle(wizard.vehicle());
+  if (!wizard.vehicle()) return;
+  selection_.setVehicle(wizard.vehicle());
+  if (wizard.hasPaired() && document_.isModified() && !unasked_)
+    files_->offerToSaveKey(QString::fromStdString(wizard.draft().name));
 }
 
 void MainWindow::openRadio() {

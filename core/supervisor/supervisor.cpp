@@ -207,6 +207,8 @@ void Supervisor::Impl::hear(const link::LinkEvent& event, Seconds now) {
                            {e.request, e.value});
           else if constexpr (std::is_same_v<E, link::CommandSent> || std::is_same_v<E, link::CommandAcknowledged>)
             a->take(e);
+          else if constexpr (std::is_same_v<E, link::PairingEnded>)
+            a->take(e, channel.peer(e.vehicle)->session.open(), log);
           else if constexpr (std::is_same_v<E, link::Silent> || std::is_same_v<E, link::Disbelieved>)
             a->take(e, now, log);
           else

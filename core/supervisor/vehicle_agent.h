@@ -64,7 +64,8 @@ public:
   void take(const link::Reported& e, EventLog& log);
   void take(const link::CommandSent& e);
   void take(const link::CommandAcknowledged& e);
-  void take(const link::PairingEnded& e, EventLog& log);
+  /// inSession: one stands now. The old ones end with the old key.
+  void take(const link::PairingEnded& e, bool inSession, EventLog& log);
   void take(const link::Disbelieved& e, Seconds now, EventLog& log);
 
   /// Decides what the vehicle shall do, as of `now`, and ends episodes that are over.

@@ -90,7 +90,8 @@ void VehicleAgent::take(const link::WrongKey&, EventLog& log) {
             .with(name_));
 }
 
-void VehicleAgent::take(const link::PairingEnded& e, EventLog& log) {
+void VehicleAgent::take(const link::PairingEnded& e, bool inSession, EventLog& log) {
+  if (e.how == link::PairingEnd::NewKey && !inSession) contact_ = Contact::Calling;
   const Severity severity = e.how == link::PairingEnd::NewKey   ? Severity::Info
                             : e.how == link::PairingEnd::Failed ? Severity::Error
                                                                 : Severity::Warning;

@@ -51,10 +51,10 @@
 <context>
     <name>tessera::ui::SummaryPage</name>
     <message numerus="yes">
-        <source>%n step(s) were left out. Open this wizard for the vehicle again to make up for it. Save the site to keep the vehicle.</source>
+        <source>%n step(s) were left out. Open this wizard for the vehicle again to make up for it.</source>
         <translation>
-            <numerusform>%n step was left out. Open this wizard for the vehicle again to make up for it. Save the site to keep the vehicle.</numerusform>
-            <numerusform>%n steps were left out. Open this wizard for the vehicle again to make up for it. Save the site to keep the vehicle.</numerusform>
+            <numerusform>%n step was left out. Open this wizard for the vehicle again to make up for it.</numerusform>
+            <numerusform>%n steps were left out. Open this wizard for the vehicle again to make up for it.</numerusform>
         </translation>
     </message>
 </context>

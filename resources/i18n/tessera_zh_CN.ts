@@ -1208,6 +1208,18 @@
         <source>The site could not be made</source>
         <translation>无法创建场地</translation>
     </message>
+    <message>
+        <source>Save the vehicle&apos;s key?</source>
+        <translation>保存车辆的密钥？</translation>
+    </message>
+    <message>
+        <source>%1 obeys nobody but who has its new key, and no file has it yet. Save the site?</source>
+        <translation>%1 只接受持有其新密钥者的指令，而该密钥尚未保存到任何文件中。要保存场地吗？</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>稍后(&amp;L)</translation>
+    </message>
 </context>
 <context>
     <name>tessera::desktop::WindowActions</name>
@@ -2410,6 +2422,14 @@ x %2 m，y %3 m</translation>
     <message>
         <source>A vehicle fresh from the factory (address 254, a key that everybody knows) also takes its address. Switch on only this one. Who listens to the radio during pairing could learn the key: pair where you are alone.</source>
         <translation>刚出厂的车辆（地址 254，密钥众所周知）还会同时取得其地址。请只打开这一辆车的电源。配对期间监听无线通信的人可能获知密钥，请在无他人监听的环境中配对。</translation>
+    </message>
+    <message>
+        <source>The site&apos;s file does not have this key yet. Without it the vehicle obeys nobody: save the site now.</source>
+        <translation>场地文件中还没有此密钥。没有该密钥，车辆不接受任何指令：请立即保存场地。</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve the site</source>
+        <translation>保存场地(&amp;V)</translation>
     </message>
 </context>
 <context>
@@ -3618,13 +3638,21 @@ x %2 m，y %3 m</translation>
         <translation>%1 已加入场地，地址为 %2。</translation>
     </message>
     <message>
-        <source>Everything was tried. Save the site to keep the vehicle.</source>
-        <translation>所有项目均已测试。请保存场地以保留该车辆。</translation>
+        <source>Save the site to keep the vehicle.</source>
+        <translation>请保存场地以保留该车辆。</translation>
+    </message>
+    <message>
+        <source>The vehicle is saved with the site.</source>
+        <translation>该车辆已随场地保存。</translation>
+    </message>
+    <message>
+        <source>Everything was tried.</source>
+        <translation>所有项目均已测试。</translation>
     </message>
     <message numerus="yes">
-        <source>%n step(s) were left out. Open this wizard for the vehicle again to make up for it. Save the site to keep the vehicle.</source>
+        <source>%n step(s) were left out. Open this wizard for the vehicle again to make up for it.</source>
         <translation>
-            <numerusform>有 %n 个步骤被跳过。可再次为该车辆打开此向导补做。请保存场地以保留该车辆。</numerusform>
+            <numerusform>有 %n 个步骤被跳过。可再次为该车辆打开此向导补做。</numerusform>
         </translation>
     </message>
 </context>

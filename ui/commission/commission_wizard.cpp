@@ -44,7 +44,8 @@ CommissionWizard::CommissionWizard(FleetLink& link, SiteDocument& document, std:
   for (const int id : pageIds())
     if (auto* step = qobject_cast<StepPage*>(page(id)))
       connect(step, &StepPage::connectRequested, this, &CommissionWizard::connectRequested);
-  connect(key, &KeyPage::paired, this, [this] { paired_ = true; });
+  connect(key, &KeyPage::saveRequested, this, &CommissionWizard::saveRequested);
+  connect(&work_, &Commissioning::pairedChanged, this, &CommissionWizard::paired);
   connect(&work_, &Commissioning::siteChanged, this, &CommissionWizard::siteChanged);
   connect(&work_, &Commissioning::markChanged, this, &CommissionWizard::showSteps);
   connect(this, &QWizard::currentIdChanged, this, &CommissionWizard::showSteps);
@@ -70,7 +71,7 @@ bool CommissionWizard::validateCurrentPage() {
 }
 
 void CommissionWizard::reject() {
-  if (paired_ && work_.isNew()) {
+  if (work_.paired() && work_.isNew()) {
     QMessageBox question{QMessageBox::Warning, windowTitle(),
                          tr("The vehicle has already taken its new key. Without this site it will obey nobody until it "
                             "is reset. Give it up all the same?"),

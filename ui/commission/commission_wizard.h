@@ -22,6 +22,8 @@ public:
   [[nodiscard]] std::optional<VehicleId> vehicle() const { return work_.standing(); }
   /// As far as it is known by now.
   [[nodiscard]] const floor::VehicleSetup& draft() const { return work_.draft(); }
+  /// The vehicle has taken a new key in this wizard.
+  [[nodiscard]] bool hasPaired() const { return work_.paired(); }
   void reject() override;
   bool validateCurrentPage() override;
 
@@ -30,6 +32,10 @@ Q_SIGNALS:
   void connectRequested();
   /// The site has other vehicles than before: supervision must begin anew with it.
   void siteChanged();
+  /// The vehicle has taken a key that nobody knows but this site.
+  void paired();
+  /// The person wants the site saved now.
+  void saveRequested();
 
 protected:
   void changeEvent(QEvent* event) override;
@@ -41,7 +47,6 @@ private:
 
   Commissioning work_;
   QLabel steps_;
-  bool paired_ = false;
 };
 
 }  // namespace tessera::ui

@@ -7,13 +7,16 @@
 namespace tessera::ui {
 namespace {
 
-// Going back and forth in the wizard stays one step of the document.
-constexpr int kCommissioningMergeKey = 0x434f4d4d;
+// Another one for each wizard: two vehicles set up one after the other are two steps.
+int freshMergeKey() {
+  static int last = 0x434f4d4d;
+  return ++last;
+}
 
 }  // namespace
 
 Commissioning::Commissioning(FleetLink& link, SiteDocument& document, std::optional<VehicleId> editing, QObject* parent)
-    : QObject{parent}, link_{link}, document_{document}, picture_{link.latest()} {
+    : QObject{parent}, link_{link}, document_{document}, mergeKey_{freshMergeKey()}, picture_{link.latest()} {
   const floor::Site& site = document.site();
   if (editing)
     if (const floor::VehicleSetup* v = document.map()->vehicle(*editing)) editing_ = *v;
@@ -62,8 +65,9 @@ Result<void> Commissioning::enterAs(VehicleId address, const wire::Key& key) {
     else
       *at = entry;
   };
-  auto done = document_.edit(isNew() ? tr("Add vehicle %1").arg(name) : tr("Change vehicle %1").arg(name), put,
-                             kCommissioningMergeKey);
+  if (!entered_) stepsBefore_ = document_.undoStack().index();
+  auto done =
+      document_.edit(isNew() ? tr("Add vehicle %1").arg(name) : tr("Change vehicle %1").arg(name), put, mergeKey_);
   if (!done) return done;
   entered_ = entry;
   for (const Step step : {Step::Contact, Step::Settings, Step::Readers, Step::Compass, Step::Jog, Step::Drive})
@@ -76,20 +80,37 @@ Result<void> Commissioning::enterAs(VehicleId address, const wire::Key& key) {
 void Commissioning::leave() {
   if (!entered_) return;
   const VehicleId id = entered_->id;
+  // Undone, the site would have the key that the vehicle had before.
+  const bool keepsKey = paired_ && editing_;
+  if (keepsKey) {
+    editing_->id = entered_->id;
+    editing_->key = entered_->key;
+  }
   QUndoStack& stack = document_.undoStack();
-  const bool ours = stack.index() > 0 && stack.command(stack.index() - 1)->id() == kCommissioningMergeKey;
-  if (ours) {
-    stack.undo();
+  int begin = stack.index();
+  while (begin > stepsBefore_ && stack.command(begin - 1)->id() == mergeKey_) --begin;
+  if (begin == stepsBefore_ && !keepsKey) {
+    stack.setIndex(begin);
   } else {
     const auto taken =
         document_.edit(tr("Take back vehicle %1").arg(QString::fromStdString(entered_->name)), [&](floor::Site& site) {
-          std::erase_if(site.vehicles, [&](const auto& v) { return v.id == id; });
-          if (editing_) site.vehicles.push_back(*editing_);
+          const auto at =
+              std::find_if(site.vehicles.begin(), site.vehicles.end(), [&](const auto& v) { return v.id == id; });
+          if (at == site.vehicles.end()) return;
+          if (editing_)
+            *at = *editing_;
+          else
+            site.vehicles.erase(at);
         });
     if (!taken) return;  // it stands as entered: the site would contradict itself without it
   }
   entered_.reset();
   Q_EMIT siteChanged();
+}
+
+void Commissioning::setPaired() {
+  paired_ = true;
+  Q_EMIT pairedChanged();
 }
 
 const supervisor::VehicleView* Commissioning::view() const { return picture_ ? picture_->find(address()) : nullptr; }

@@ -43,8 +43,11 @@ public:
   /// The same with the address and key that the vehicle has before it has taken the draft's.
   Result<void> enterAs(VehicleId address, const wire::Key& key);
   [[nodiscard]] bool entered() const { return entered_.has_value(); }
-  /// Takes it out again, or gives the edited one its old shape back.
+  /// Takes it out again, or gives the edited one its old shape back; address and key that a paired one has by now stay.
   void leave();
+  /// The vehicle has taken the key under which it stands in the site: nobody else knows it.
+  [[nodiscard]] bool paired() const { return paired_; }
+  void setPaired();
 
   /// How supervision sees the vehicle; null when it does not. Valid until the next snapshotChanged().
   [[nodiscard]] const supervisor::VehicleView* view() const;
@@ -62,6 +65,8 @@ Q_SIGNALS:
   void siteChanged();
   /// view() and silence() may be different.
   void seen();
+  /// What paired() tells.
+  void pairedChanged();
 
 private:
   FleetLink& link_;
@@ -70,6 +75,9 @@ private:
   std::optional<floor::VehicleSetup> editing_;  ///< as it was
   floor::VehicleSetup draft_;
   std::optional<floor::VehicleSetup> entered_;
+  int mergeKey_;         ///< going back and forth in one wizard stays one step of the document
+  int stepsBefore_ = 0;  ///< of the document, when the vehicle was entered
+  bool paired_ = false;
   std::shared_ptr<const supervisor::Snapshot> picture_;
   std::array<Mark, kSteps> marks_{};
 };

@@ -24,6 +24,9 @@ KeyPage::KeyPage(Commissioning& work, QWidget* parent)
   reveal_.setObjectName(QStringLiteral("revealKey"));
   copy_.setObjectName(QStringLiteral("copyKey"));
   result_.setObjectName(QStringLiteral("keyResult"));
+  unsaved_.setObjectName(QStringLiteral("keyUnsaved"));
+  save_.setObjectName(QStringLiteral("saveKey"));
+  save_.setIcon(icon(QStringLiteral("save")));
   why_.setWordWrap(true);
   pairHint_.setWordWrap(true);
   pairHint_.setForegroundRole(QPalette::PlaceholderText);
@@ -33,7 +36,7 @@ KeyPage::KeyPage(Commissioning& work, QWidget* parent)
   key_.setEchoMode(QLineEdit::Password);
   reveal_.setCheckable(true);
   copy_.setIcon(icon(QStringLiteral("copy")));
-  for (QPushButton* button : {&pair_, &use_, &reveal_, &copy_}) button->setAutoDefault(false);
+  for (QPushButton* button : {&pair_, &use_, &reveal_, &copy_, &save_}) button->setAutoDefault(false);
   pairKind_.setChecked(true);
 
   auto* typedRow = new QHBoxLayout;
@@ -57,13 +60,14 @@ KeyPage::KeyPage(Commissioning& work, QWidget* parent)
   content().addWidget(&why_);
   content().addLayout(grid);
   content().addWidget(&result_);
+  content().addWidget(&unsaved_);
+  content().addWidget(&save_, 0, Qt::AlignLeft);
   content().addStretch();
 
   connect(&pairKind_, &QRadioButton::toggled, this, &KeyPage::showKind);
   connect(&pair_, &QPushButton::clicked, this, &KeyPage::pair);
   connect(&pairing_, &Pairing::progressed, this,
           [this](const QString& sentence) { result_.show(Notice::Tone::Info, sentence); });
-  connect(&pairing_, &Pairing::keyTaken, this, &KeyPage::paired);
   connect(&pairing_, &Pairing::failed, this, [this](const QString& sentence) {
     result_.show(Notice::Tone::Error, sentence);
     showKind();
@@ -79,6 +83,9 @@ KeyPage::KeyPage(Commissioning& work, QWidget* parent)
           [this](bool on) { key_.setEchoMode(on ? QLineEdit::Normal : QLineEdit::Password); });
   connect(&copy_, &QPushButton::clicked, this,
           [this] { QApplication::clipboard()->setText(VehicleDraft::keyText(this->work().draft().key)); });
+  connect(&save_, &QPushButton::clicked, this, &KeyPage::saveRequested);
+  connect(&this->work(), &Commissioning::pairedChanged, this, &KeyPage::showWhetherSaved);
+  connect(&this->work().document(), &SiteDocument::modifiedChanged, this, &KeyPage::showWhetherSaved);
   showKind();
 }
 
@@ -118,6 +125,17 @@ void KeyPage::showKind() {
 }
 
 void KeyPage::showKey() { key_.setText(VehicleDraft::keyText(work().draft().key)); }
+
+// The vehicle obeys this key alone from now on.
+void KeyPage::showWhetherSaved() {
+  const bool unsaved = work().paired() && work().document().isModified();
+  save_.setVisible(unsaved);
+  if (unsaved)
+    unsaved_.show(Notice::Tone::Warning, tr("The site's file does not have this key yet. Without it the vehicle obeys "
+                                            "nobody: save the site now."));
+  else
+    unsaved_.clear();
+}
 
 void KeyPage::useTypedKey() {
   const auto key = VehicleDraft::keyFromText(typed_.text());
@@ -167,6 +185,8 @@ void KeyPage::retranslate() {
   keyLabel_.setBuddy(&key_);
   reveal_.setText(tr("Sho&w"));
   copy_.setText(tr("&Copy"));
+  save_.setText(tr("Sa&ve the site"));
+  showWhetherSaved();
   StepPage::retranslate();
 }
 

@@ -18,8 +18,8 @@ public:
   void initializePage() override;
 
 Q_SIGNALS:
-  /// The vehicle has taken a key that only this site has.
-  void paired();
+  /// The site's file does not have the vehicle's new key yet.
+  void saveRequested();
 
 protected:
   void retranslate() override;
@@ -31,6 +31,7 @@ private:
   void useTypedKey();
   void showKind();
   void showKey();
+  void showWhetherSaved();
 
   Pairing pairing_;
   QLabel why_;
@@ -45,6 +46,8 @@ private:
   QPushButton reveal_;
   QPushButton copy_;
   Notice result_;
+  Notice unsaved_;
+  QPushButton save_;
 };
 
 }  // namespace tessera::ui

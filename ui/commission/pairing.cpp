@@ -97,7 +97,7 @@ void Pairing::takeKey() {
   await(Phase::CallingAgain, tr("It has its key. Waiting for it under the new key…"));
   if (const auto entered = work_.enterAs(address, fresh_); !entered)
     return fail(QString::fromStdString(entered.error().sentence));
-  Q_EMIT keyTaken();
+  work_.setPaired();
   if (address == work_.draft().id) finish();
 }
 

@@ -29,8 +29,6 @@ public:
 Q_SIGNALS:
   /// One sentence on what is being done.
   void progressed(const QString& sentence);
-  /// The vehicle has the new key, and the site has it too.
-  void keyTaken();
   void done();
   void failed(const QString& sentence);
 

@@ -67,13 +67,13 @@ void SummaryPage::retranslate() {
     rows += QStringLiteral("<tr><td style='padding-right:2em'>%1</td><td>%2</td></tr>").arg(nameOf(step), word);
   }
   list_.setText(QStringLiteral("<table cellpadding='3'>%1</table>").arg(rows));
-  if (left == 0)
-    notice_.show(Notice::Tone::Good, tr("Everything was tried. Save the site to keep the vehicle."));
-  else
-    notice_.show(Notice::Tone::Warning,
-                 tr("%n step(s) were left out. Open this wizard for the vehicle again to make up for it. Save the site "
-                    "to keep the vehicle.",
-                    nullptr, left));
+  const QString kept = work_.document().isModified() ? tr("Save the site to keep the vehicle.")
+                                                     : tr("The vehicle is saved with the site.");
+  const QString tried =
+      left == 0
+          ? tr("Everything was tried.")
+          : tr("%n step(s) were left out. Open this wizard for the vehicle again to make up for it.", nullptr, left);
+  notice_.show(left == 0 ? Notice::Tone::Good : Notice::Tone::Warning, tried + QLatin1Char(' ') + kept);
 }
 
 void SummaryPage::changeEvent(QEvent* event) {

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
@@ -67,6 +68,24 @@ void DesktopTest::answerQuestion(const QString& name, const QString& buttonText)
       QTest::mouseClick(button, Qt::LeftButton);
       return;
     }
+  });
+  look->start();
+}
+
+void DesktopTest::inDialogue(const QString& name, const std::function<void(QDialog&)>& work) {
+  auto* look = new QTimer{window.get()};
+  look->setInterval(20);
+  QObject::connect(look, &QTimer::timeout, look, [look, name, work] {
+    const QPointer<QDialog> dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    if (dialog == nullptr || dialog->objectName() != name) return;
+    look->deleteLater();
+    look->stop();
+    try {
+      work(*dialog);
+    } catch (const std::exception& e) {
+      ADD_FAILURE() << e.what();
+    }
+    if (dialog != nullptr && dialog->isVisible()) dialog->done(QDialog::Rejected);
   });
   look->start();
 }

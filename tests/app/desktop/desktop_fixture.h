@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <QDeadlineTimer>
+#include <QDialog>
 #include <QTemporaryDir>
 #include <QTest>
 #include <functional>
@@ -33,6 +34,9 @@ protected:
   /// Presses a button of the question with this object name as soon as it is there; call before what asks.
   static void answerQuestion(const QString& name, const QString& buttonText);
 
+  /// Does this with the next dialogue of this name, from within its own loop; call before what opens it. What is left
+  /// open of it is closed afterwards.
+  void inDialogue(const QString& name, const std::function<void(QDialog&)>& work);
   /// Opens the demo floor from the start page and waits until its vehicle has answered and knows where it is.
   void startDemo();
   [[nodiscard]] supervisor::VehicleView vehicle() const;

@@ -44,6 +44,22 @@ TEST_P(CommissionPictures, OfAPageWithoutAConnection) {
   look::take(wizard, name("wizard-alone"));
 }
 
+TEST_P(CommissionPictures, OfAKeyThatNoFileHasYet) {
+  link.show(seenVehicles({1}));
+  CommissionWizard wizard{link, document};
+  WizardHands hands{wizard};
+  hands.next();
+  hands.next();
+  hands.skip();
+  hands.click("pairVehicle");
+  supervisor::Event event;
+  event.kind = supervisor::EventKind::Paired;
+  event.vehicle = VehicleId{1};
+  event.pairing = link::PairingEnd::NewKey;
+  link.tell(event);
+  look::take(wizard, name("wizard-unsaved-key"));
+}
+
 TEST_P(CommissionPictures, OfDrivingByHand) {
   Selection selection;
   JogDialog dialog{link, selection};

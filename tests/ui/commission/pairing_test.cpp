@@ -5,6 +5,8 @@
 
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRadioButton>
+#include <QSignalSpy>
 #include <QTest>
 #include <QTimer>
 
@@ -132,6 +134,42 @@ TEST_F(PairingTest, GivingTheWizardUpAfterPairingIsAskedFor) {
   answerWith("Give up");
   EXPECT_FALSE(wizard.isVisible());
   EXPECT_TRUE(document.site().vehicles.empty());
+}
+
+TEST_F(PairingTest, SaysUntilItIsSavedThatNoFileHasTheKey) {
+  fleet.show(seenVehicles({1}));
+  EXPECT_FALSE(hands.at<QPushButton>("saveKey").isVisible());
+  pressPair();
+  pairingEnds(1, link::PairingEnd::NewKey);
+  EXPECT_TRUE(hands.at<QPushButton>("saveKey").isVisible());
+  QSignalSpy asked{&wizard, &CommissionWizard::saveRequested};
+  hands.click("saveKey");
+  EXPECT_EQ(asked.count(), 1);
+  document.markSaved();
+  EXPECT_FALSE(hands.at<QPushButton>("saveKey").isVisible());
+  EXPECT_TRUE(hands.at<Notice>("keyUnsaved").text().isEmpty());
+}
+
+TEST_F(PairingTest, GivingUpTheChangesToAVehicleDoesNotBringItsOldKeyBack) {
+  document.undoStack().clear();  // as if it had been set up long ago
+  wizard.hide();
+  CommissionWizard again{fleet, document, VehicleId{1}};
+  WizardHands other{again};
+  other.next();
+  other.type("vehicleName", "Ant");
+  other.next();
+  other.skip();
+  QTest::mouseClick(&other.at<QRadioButton>("pairKind"), Qt::LeftButton, {}, QPoint{8, 8});
+  fleet.show(seenVehicles({1}));
+  other.click("pairVehicle");
+  const wire::Key fresh = fleet.last<Pair>().newKey;
+  pairingEnds(1, link::PairingEnd::NewKey);
+  ASSERT_EQ(entry().name, "Ant");
+  QTest::keyClick(&again, Qt::Key_Escape);
+  EXPECT_FALSE(again.isVisible());
+  EXPECT_EQ(entry().name, first.name);
+  EXPECT_EQ(entry().key, fresh) << "the vehicle has it, whatever else was given up";
+  EXPECT_EQ(document.site().vehicles.size(), 1U);
 }
 
 }  // namespace

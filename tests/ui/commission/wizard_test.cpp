@@ -85,6 +85,40 @@ TEST_F(WizardTest, GivingUpAfterOtherEditsTakesOnlyTheVehicleOut) {
   EXPECT_EQ(document.site().name, "Other hall");
 }
 
+TEST_F(WizardTest, TwoVehiclesAreTwoSteps) {
+  for (int i = 0; i < 2; ++i) {
+    CommissionWizard wizard{link, document};
+    WizardHands hands{wizard};
+    hands.next();
+    hands.next();
+    hands.skip();
+    if (i == 1) QTest::keyClick(&wizard, Qt::Key_Escape);
+  }
+  EXPECT_EQ(vehicles(), 2U) << "giving the second one up leaves the first";
+  document.undoStack().redo();
+  ASSERT_EQ(vehicles(), 3U);
+  document.undoStack().undo();
+  EXPECT_EQ(vehicles(), 2U);
+}
+
+TEST_F(WizardTest, GivingUpAfterTheSiteWasSavedTakesTheVehicleOutAllTheSame) {
+  const floor::Site before = document.site();
+  CommissionWizard wizard{link, document};
+  WizardHands hands{wizard};
+  hands.next();
+  hands.next();
+  hands.skip();
+  document.markSaved();
+  hands.back();
+  hands.back();
+  hands.type("vehicleName", "Late name");
+  hands.next();
+  hands.next();
+  QTest::keyClick(&wizard, Qt::Key_Escape);
+  EXPECT_EQ(document.site(), before);
+  EXPECT_TRUE(document.isModified());
+}
+
 TEST_F(WizardTest, GoingBackAndChangingStaysOneStep) {
   CommissionWizard wizard{link, document};
   WizardHands hands{wizard};

@@ -1,0 +1,186 @@
+// A vehicle fresh from the factory is set up in the whole window, over the port of a simulated world that the window
+// knows nothing else of.
+#include <QComboBox>
+#include <QLabel>
+#include <QProgressBar>
+#include <QSpinBox>
+
+#include "app/desktop/desktop_fixture.h"
+#include "app/process/world_process.h"
+#include "app/tessera/keeper.h"
+#include "app/tessera/site_files.h"
+#include "app/world/world_options.h"
+#include "floor/site_json.h"
+#include "tests/ui/commission/wizard_hands.h"
+#include "ui/base/notice.h"
+#include "ui/commission/commission_wizard.h"
+#include "wire/pairing.h"
+
+namespace tessera::desktop {
+namespace {
+
+using ui::CommissionWizard;
+using ui::Notice;
+using ui::WizardHands;
+
+constexpr std::uint8_t kNewAddress = 7;
+
+class NewVehicle : public DesktopTest {
+protected:
+  // The world has one vehicle, with an empty EEPROM; the hall's file has none.
+  void SetUp() override {
+    openWindow(false);
+    const auto demo = SiteFiles::demoPath();
+    ASSERT_TRUE(demo);
+    const auto site = floor::loadSite(demo->toStdString());
+    ASSERT_TRUE(site);
+    hall = *site;
+    type = hall.vehicles.front();
+    hall.vehicles.clear();
+    ASSERT_TRUE(floor::saveSite(hall, path().toStdString()));
+    world::WorldOptions options;
+    options.site = demo->toStdString();
+    options.vehicles = options.fresh = {type.id.value};
+    ASSERT_TRUE(world.start(world::worldArguments(options)));
+  }
+  [[nodiscard]] QString path() const { return home.filePath("hall.tessera.json"); }
+  /// What the file holds of the new vehicle.
+  [[nodiscard]] floor::VehicleSetup filed() const {
+    const auto site = floor::loadSite(path().toStdString());
+    return site && !site->vehicles.empty() ? site->vehicles.back() : floor::VehicleSetup{};
+  }
+  void connectToWorld() {
+    inDialogue(QStringLiteral("connectDialog"), [this](QDialog& dialog) {
+      QTest::mouseClick(dialog.findChild<QAbstractButton*>("serialKind"), Qt::LeftButton, {}, QPoint{8, 8});
+      auto* field = dialog.findChild<QComboBox*>("portField")->lineEdit();
+      field->setFocus();
+      field->selectAll();
+      QTest::keyClicks(field, QString::fromStdString(world.port()));
+      QTest::mouseClick(dialog.findChild<QAbstractButton*>("connectButton"), Qt::LeftButton);
+    });
+    trigger("connect");
+    ASSERT_TRUE(until([&] {
+      const auto picture = window->session().latest();
+      return picture && picture->port.state == supervisor::PortState::Open;
+    }));
+  }
+  /// As far as the key page.
+  static void describe(WizardHands& hands, const char* name) {
+    hands.next();
+    hands.type("vehicleName", name);
+    auto& address = hands.at<QSpinBox>("vehicleAddress");
+    address.setFocus();
+    address.selectAll();
+    QTest::keyClicks(&address, QString::number(kNewAddress));
+    hands.next();
+    hands.click("flashDone");
+    hands.next();
+  }
+  static bool nextOffered(WizardHands& hands) {
+    return until([&] { return hands.button(QWizard::NextButton).isEnabled(); });
+  }
+  static Notice::Tone tone(WizardHands& hands, const char* name) { return hands.at<Notice>(name).tone(); }
+  static void pair(WizardHands& hands) {
+    ASSERT_TRUE(until([&] { return hands.at<QAbstractButton>("pairVehicle").isEnabled(); }));
+    hands.click("pairVehicle");
+    ASSERT_TRUE(nextOffered(hands)) << hands.at<Notice>("keyResult").text().toStdString();
+    EXPECT_EQ(tone(hands, "keyResult"), Notice::Tone::Good);
+  }
+
+  floor::Site hall;
+  floor::VehicleSetup type;
+  process::WorldProcess world;
+};
+
+TEST_F(NewVehicle, isSetUpFromItsTypeToItsFirstDrive) {
+  ASSERT_TRUE(window->files().open(path()));
+  ASSERT_NO_FATAL_FAILURE(connectToWorld());
+  inDialogue(QStringLiteral("commissionWizard"), [this](QDialog& dialog) {
+    auto& wizard = dynamic_cast<CommissionWizard&>(dialog);
+    WizardHands hands{wizard};
+    describe(hands, "Ant");
+
+    ASSERT_NO_FATAL_FAILURE(pair(hands));
+    EXPECT_EQ(filed().id, VehicleId{kNewAddress}) << "saved at once";
+    EXPECT_EQ(filed().key, wizard.draft().key);
+    EXPECT_NE(filed().key, wire::kFactoryKey);
+    EXPECT_FALSE(hands.at<QAbstractButton>("saveKey").isVisible());
+    hands.next();
+
+    ASSERT_TRUE(nextOffered(hands)) << hands.at<Notice>("silence").text().toStdString();
+    EXPECT_EQ(tone(hands, "contactResult"), Notice::Tone::Good);
+    hands.next();
+
+    ASSERT_TRUE(until([&] { return hands.at<QAbstractButton>("writeSettings").isEnabled(); }));
+    hands.click("writeSettings");
+    ASSERT_TRUE(nextOffered(hands)) << hands.at<Notice>("settingsResult").text().toStdString();
+    hands.next();
+
+    // Nobody holds tags under the readers of a simulated vehicle.
+    ASSERT_TRUE(until([&] { return !hands.at<Notice>("readersResult").text().isEmpty(); }));
+    EXPECT_EQ(tone(hands, "readersResult"), Notice::Tone::Info) << "they all answer";
+    hands.skip();
+
+    ASSERT_TRUE(until([&] { return hands.at<QAbstractButton>("calibrateCompass").isEnabled(); }));
+    hands.click("calibrateCompass");
+    ASSERT_TRUE(until([&] { return vehicle().state == wire::VehicleState::Calibrating; }));
+    ASSERT_TRUE(nextOffered(hands)) << hands.at<Notice>("compassResult").text().toStdString();
+    EXPECT_EQ(tone(hands, "compassResult"), Notice::Tone::Good);
+    hands.next();
+
+    auto& pad = hands.at<QWidget>("jogPad");
+    pad.setFocus();
+    ASSERT_TRUE(until([&] { return pad.hasFocus() && hands.at<QAbstractButton>("jogForward").isEnabled(); }));
+    QTest::keyPress(&pad, Qt::Key_Up);
+    ASSERT_TRUE(nextOffered(hands)) << hands.at<QLabel>("jogHint").text().toStdString();
+    ASSERT_TRUE(until([&] { return vehicle().located; })) << "a few tags on the way tell it where it is";
+    EXPECT_EQ(vehicle().task, supervisor::Task::Jogging);
+    QTest::keyRelease(&pad, Qt::Key_Up);
+    ASSERT_TRUE(until([&] { return vehicle().speed == MetresPerSecond{}; })) << "the released key stops it";
+    hands.next();
+
+    ASSERT_TRUE(until([&] { return hands.at<QAbstractButton>("firstRun").isEnabled(); }));
+    hands.click("firstRun");
+    ASSERT_TRUE(until([&] { return vehicle().task == supervisor::Task::Running && vehicle().progress > Metres{0.05}; }))
+        << vehicle().waits.english() << vehicle().doing.english();
+    hands.click("firstStop");
+    ASSERT_TRUE(until([&] { return vehicle().speed == MetresPerSecond{}; }));
+    hands.skip();
+    EXPECT_EQ(wizard.currentId(), CommissionWizard::kSummary);
+    QTest::mouseClick(&hands.button(QWizard::FinishButton), Qt::LeftButton);
+  });
+  trigger("commission");
+  ASSERT_EQ(window->document().site().vehicles.size(), 1U);
+  EXPECT_EQ(window->document().site().vehicles.back(), filed());
+  EXPECT_EQ(filed().name, "Ant");
+  EXPECT_FALSE(window->isWindowModified());
+  EXPECT_EQ(window->selection().vehicle(), VehicleId{kNewAddress});
+  EXPECT_EQ(vehicle().contact, supervisor::Contact::Connected);
+}
+
+TEST_F(NewVehicle, hasAKeyThatIsOfferedToBeSavedWhereOtherChangesAreNot) {
+  ASSERT_TRUE(window->files().open(path()));
+  ASSERT_NO_FATAL_FAILURE(connectToWorld());
+  drawRoute({{0.3, 0.3}, {0.3, 1.5}});
+  inDialogue(QStringLiteral("commissionWizard"), [this](QDialog& dialog) {
+    auto& wizard = dynamic_cast<CommissionWizard&>(dialog);
+    WizardHands hands{wizard};
+    describe(hands, "Ant");
+    ASSERT_NO_FATAL_FAILURE(pair(hands));
+    EXPECT_TRUE(hands.at<QAbstractButton>("saveKey").isVisible());
+    EXPECT_EQ(floor::loadSite(path().toStdString()).value(), hall) << "nobody has decided to save the route";
+    ASSERT_TRUE(until([&] {
+      const auto kept = window->keeper().unsaved(path());
+      return kept && !kept->site().vehicles.empty() && kept->site().vehicles.back().key == wizard.draft().key;
+    })) << "a crash now would not lose it";
+    while (wizard.currentId() != CommissionWizard::kSummary) hands.skip();
+    QTest::mouseClick(&hands.button(QWizard::FinishButton), Qt::LeftButton);
+  });
+  answerQuestion(QStringLiteral("saveKeyQuestion"), QStringLiteral("Save"));
+  trigger("commission");
+  EXPECT_EQ(filed(), window->document().site().vehicles.back());
+  EXPECT_FALSE(window->isWindowModified());
+}
+
+}  // namespace
+}  // namespace tessera::desktop
