@@ -7,6 +7,7 @@
 
 #include "app/tessera/fleet_session.h"
 #include "app/tessera/main_window.h"
+#include "ui/canvas/floor_canvas.h"
 
 namespace tessera::desktop {
 
@@ -49,6 +50,7 @@ void DemoDrive::order(const supervisor::Snapshot& snapshot) {
 void DemoDrive::end(QString failure) {
   if (std::exchange(ended_, true) || !plan_.untilFinished) return;
   if (!plan_.folder.isEmpty()) {
+    window_.canvas().finishDrawing();
     const QString picture = QDir{plan_.folder}.filePath(QStringLiteral("window.png"));
     if ((!QDir{}.mkpath(plan_.folder) || !window_.grab().save(picture)) && failure.isEmpty())
       failure = QStringLiteral("The picture %1 could not be written.").arg(picture);

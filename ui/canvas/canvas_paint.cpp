@@ -3,6 +3,7 @@
 #include <QPaintEvent>
 #include <QPainter>
 #include <algorithm>
+#include <utility>
 
 #include "ui/base/vehicle_colour.h"
 #include "ui/canvas/floor_canvas.h"
@@ -11,7 +12,7 @@
 namespace tessera::ui {
 namespace {
 
-constexpr std::chrono::milliseconds kSlice{5};  // of drawing between two looks at mouse, keys and vehicles
+constexpr std::chrono::milliseconds kSlice{3};  // of drawing between two looks at mouse, keys and vehicles
 
 }  // namespace
 
@@ -52,11 +53,12 @@ void FloorCanvas::finishDrawing() {
     ground_.prepare(ground());
     ground_.work(ground(), GroundLayer::kForever);
   } while (!ground_.settled());
+  thorough_ = true;
   update();
 }
 
 void FloorCanvas::drawOn() {
-  if (ground_.work(ground(), kSlice)) {
+  if (ground_.work(ground(), kSlice) || sprites_.isPending()) {
     update();
   } else if (!ground_.settled()) {
     drawing_.start();
@@ -85,12 +87,13 @@ void FloorCanvas::paintEvent(QPaintEvent* event) {
 void FloorCanvas::paintLive(QPainter& painter, const QRegion& region) {
   const Seconds now = fleet_.snapshot() ? fleet_.snapshot()->time + sinceSnapshot() : Seconds{};
   const std::vector<VehicleMark> all = marks();
+  sprites_.begin(view_, std::exchange(thorough_, false));
   painter.setRenderHint(QPainter::Antialiasing);
   std::vector<VehicleMark> seen;
   for (const VehicleMark& mark : all) {
     if (region.intersects(extentOf(mark, view_, font(), layers_).toAlignedRect())) seen.push_back(mark);
   }
-  for (const VehicleMark& mark : seen) paintGhost(painter, view_, theme_, mark);
+  for (const VehicleMark& mark : seen) sprites_.paintGhost(painter, view_, theme_, mark);
   const QRectF shown = QRectF{region.boundingRect()}.adjusted(-20, -20, 20, 20);
   for (const FleetLayer::Flash& flash : fleet_.flashes()) {
     if (!shown.contains(view_.toPixel(flash.place))) continue;
@@ -99,10 +102,11 @@ void FloorCanvas::paintLive(QPainter& painter, const QRegion& region) {
   }
   for (const VehicleMark& mark : seen) {
     sprites_.paintBody(painter, view_, theme_, mark);
-    if (layers_.uncertainty) paintDoubt(painter, view_, theme_, mark);
+    if (layers_.uncertainty) sprites_.paintDoubt(painter, view_, theme_, mark);
     paintObstacle(painter, view_, theme_, mark);
   }
   for (const VehicleMark& mark : seen) sprites_.paintLabel(painter, view_, theme_, mark);
+  if (sprites_.isPending()) drawing_.start();
   if (tool_) {
     painter.save();
     tool_->paint(painter, toolScene(), theme_);

@@ -58,4 +58,20 @@ QPolygonF clipped(QPolygonF polygon, const QRectF& to) {
   return polygon;
 }
 
+std::vector<QPolygonF> runsWithin(const QPolygonF& line, const QRectF& within) {
+  if (within.contains(line.boundingRect())) return {line};
+  std::vector<QPolygonF> runs;
+  bool open = false;
+  for (qsizetype n = 1; n < line.size(); ++n) {
+    const QPointF a = line[n - 1];
+    const QPointF b = line[n];
+    const bool near = std::max(a.x(), b.x()) >= within.left() && std::min(a.x(), b.x()) <= within.right() &&
+                      std::max(a.y(), b.y()) >= within.top() && std::min(a.y(), b.y()) <= within.bottom();
+    if (near && !open) runs.push_back({a});
+    if (near) runs.back() << b;
+    open = near;
+  }
+  return runs;
+}
+
 }  // namespace tessera::ui

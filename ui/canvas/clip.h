@@ -6,6 +6,7 @@
 #include <QPolygonF>
 #include <QRectF>
 #include <optional>
+#include <vector>
 
 namespace tessera::ui {
 
@@ -13,5 +14,7 @@ namespace tessera::ui {
 [[nodiscard]] std::optional<QLineF> clipped(const QLineF& line, const QRectF& to);
 /// Sutherland and Hodgman, 1974. Empty: nothing in view.
 [[nodiscard]] QPolygonF clipped(QPolygonF polygon, const QRectF& to);
+/// The parts of a polyline whose steps come near the rectangle: what is left out lies wholly on one side of it.
+[[nodiscard]] std::vector<QPolygonF> runsWithin(const QPolygonF& line, const QRectF& within);
 
 }  // namespace tessera::ui

@@ -48,7 +48,7 @@ public:
   [[nodiscard]] bool isAnimating() const { return frames_.isActive(); }
   /// A large floor is drawn over several frames; after this call it is complete, as a picture of the window needs it.
   void finishDrawing();
-  [[nodiscard]] bool isDrawn() const { return ground_.settled(); }
+  [[nodiscard]] bool isDrawn() const { return ground_.settled() && !sprites_.isPending(); }
 
 public Q_SLOTS:
   void zoomIn();
@@ -135,7 +135,8 @@ private:
   QPointF lastAt_;
   bool space_ = false;
   QTimer frames_;
-  QTimer drawing_;  ///< what of the ground is not drawn yet
+  QTimer drawing_;         ///< what is not drawn yet
+  bool thorough_ = false;  ///< the next painting is to leave nothing for later
   QElapsedTimer snapshotAge_;
   QElapsedTimer trailsAge_;  ///< since they were last faded
   QRegion live_;             ///< where vehicles were painted last

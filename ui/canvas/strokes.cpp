@@ -47,6 +47,18 @@ void strokePolyline(QPainter& painter, const QPolygonF& line) {
   if (piece.size() > 1) painter.drawPolyline(piece);
 }
 
+void strokeDashes(QPainter& painter, const QPolygonF& outline, double dash) {
+  if (outline.isEmpty()) return;
+  QPointF from = outline.last();
+  for (const QPointF& to : outline) {
+    const QLineF side{from, to};
+    const double length = side.length();
+    for (double at = 0.0; at < length; at += 1.5 * dash)
+      painter.drawLine(side.pointAt(at / length), side.pointAt(std::min(1.0, (at + dash) / length)));
+    from = to;
+  }
+}
+
 QColor mixedColour(QColor under, QColor over, double share) {
   const auto mix = [share](int a, int b) { return static_cast<int>(std::lround(a + (b - a) * share)); };
   return {mix(under.red(), over.red()), mix(under.green(), over.green()), mix(under.blue(), over.blue())};

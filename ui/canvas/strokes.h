@@ -12,6 +12,8 @@ namespace tessera::ui {
 /// more.
 void strokeLine(QPainter& painter, const QLineF& line);
 void strokePolyline(QPainter& painter, const QPolygonF& line);
+/// Dashes of so many pixels with gaps half as long along the closed outline.
+void strokeDashes(QPainter& painter, const QPolygonF& outline, double dash);
 
 /// `share` (0 to 1) of `over` on `under`, opaque.
 [[nodiscard]] QColor mixedColour(QColor under, QColor over, double share);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/canvas/clip.h"
 #include "ui/canvas/furniture.h"
 #include "ui/canvas/strokes.h"
 
@@ -15,10 +16,6 @@ namespace {
 constexpr double kLeastLength = 16.0;  // pixels of a vehicle that is seen from far
 constexpr int kTrailBands = 6;
 constexpr double kLargestEllipse = 2000.0;
-
-QColor bodyColour(const VehicleMark& mark, const CanvasTheme& theme) {
-  return mark.look == VehicleLook::Silent ? theme.silent : mark.colour;
-}
 
 QString ageText(Seconds age) {
   const QLocale locale;
@@ -58,6 +55,10 @@ void paintBadge(QPainter& painter, QPointF at, const VehicleMark& mark, const Ca
 
 }  // namespace
 
+QColor bodyColour(const VehicleMark& mark, const CanvasTheme& theme) {
+  return mark.look == VehicleLook::Silent ? theme.silent : mark.colour;
+}
+
 QString labelOf(const VehicleMark& mark) {
   const QString name = QString::fromStdString(mark.vehicle->name);
   if (mark.look != VehicleLook::Silent || !mark.vehicle->link.lastHeard) return name;
@@ -65,20 +66,19 @@ QString labelOf(const VehicleMark& mark) {
       .arg(name, ageText(mark.vehicle->link.age));
 }
 
+bool isDrawn(const Ellipse95& ellipse) { return ellipse.longAxis > 2.0 && ellipse.longAxis < kLargestEllipse; }
+
 // Over the body, as the doubt is mostly smaller than it; white or black there, the vehicle's colour around it.
-void paintDoubt(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark) {
-  const Ellipse95 ellipse = ellipseOf(mark.vehicle->covariance, view.scale());
-  if (!(ellipse.longAxis > 2.0 && ellipse.longAxis < kLargestEllipse)) return;
+void paintDoubt(QPainter& painter, const CanvasTheme& theme, const Ellipse95& ellipse, QColor colour) {
   QColor fill = theme.onRoute;
   fill.setAlpha(50);
   painter.save();
-  painter.translate(view.toPixel(mark.pose.position));
   painter.rotate(-ellipse.degrees);
   painter.setBrush(fill);
   painter.setPen(QPen{theme.onRoute, 2.6});
   painter.drawEllipse(QPointF{}, ellipse.longAxis, ellipse.shortAxis);
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen{bodyColour(mark, theme), 1.2});
+  painter.setPen(QPen{colour, 1.2});
   painter.drawEllipse(QPointF{}, ellipse.longAxis, ellipse.shortAxis);
   painter.restore();
 }
@@ -138,8 +138,8 @@ QColor trailColour(QColor under, QColor colour, double age) { return mixedColour
 void paintTrail(QPainter& painter, const View& view, const Trail& trail, Seconds now, QColor colour, QColor under,
                 const QRectF& within) {
   for (const Trail::Piece& piece : trail.pieces(view, now, kTrailBands)) {
-    if (piece.line.boundingRect().adjusted(-4, -4, 4, 4).intersects(within))
-      strokeHairs(painter, view, piece.line, trailColour(under, colour, piece.age));
+    for (const QPolygonF& line : runsWithin(piece.line, within.adjusted(-4, -4, 4, 4)))
+      strokeHairs(painter, view, line, trailColour(under, colour, piece.age));
   }
 }
 
@@ -150,17 +150,18 @@ void paintTrailEnd(QPainter& painter, const View& view, const Trail& trail, Seco
     strokeHairs(painter, view, line, trailColour(under, colour, young));
 }
 
-void paintGhost(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark) {
+bool hasGhost(const View& view, const VehicleMark& mark) {
   const supervisor::VehicleView& v = *mark.vehicle;
-  const QColor colour = bodyColour(mark, theme);
-  if (mark.look != VehicleLook::Silent && v.task == supervisor::Task::Running &&
-      view.pixels(distance(v.predicted.position, v.pose.position)) > 3.0) {
-    QColor ghost = colour;
-    ghost.setAlpha(150);
-    painter.setPen(QPen{ghost, 1.2, Qt::DashLine});
-    painter.setBrush(Qt::NoBrush);
-    painter.drawPolygon(footprintOf(mark, view, v.predicted));
-  }
+  return mark.look != VehicleLook::Silent && v.task == supervisor::Task::Running &&
+         view.pixels(distance(v.predicted.position, v.pose.position)) > 3.0;
+}
+
+void paintGhost(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark,
+                const Pose& at) {
+  QColor ghost = bodyColour(mark, theme);
+  ghost.setAlpha(150);
+  painter.setPen(QPen{ghost, 1.2, Qt::SolidLine, Qt::FlatCap});
+  strokeDashes(painter, footprintOf(mark, view, at), 5.0);
 }
 
 void paintVehicle(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark) {

@@ -31,14 +31,15 @@ void paintTrail(QPainter& painter, const View& view, const Trail& trail, Seconds
                 const QRectF& within);
 /// What came to the trail after that time.
 void paintTrailEnd(QPainter& painter, const View& view, const Trail& trail, Seconds since, QColor colour, QColor under);
-/// Where a command that is sent now will find it.
-void paintGhost(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark);
+/// Where a command that is sent now will find it: as an outline, when it is seen to be another place.
+[[nodiscard]] bool hasGhost(const View& view, const VehicleMark& mark);
+void paintGhost(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark, const Pose& at);
 /// Body, heading, badge.
 void paintVehicle(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark);
-/// The doubt about its place, over the body.
-void paintDoubt(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark);
 /// What it sees ahead.
 void paintObstacle(QPainter& painter, const View& view, const CanvasTheme& theme, const VehicleMark& mark);
+/// Grey when nothing is heard of it.
+[[nodiscard]] QColor bodyColour(const VehicleMark& mark, const CanvasTheme& theme);
 /// Its name, and how long it has been silent.
 [[nodiscard]] QString labelOf(const VehicleMark& mark);
 [[nodiscard]] QSizeF labelSize(const QString& text, const QFont& font);
@@ -54,5 +55,9 @@ struct Ellipse95 {
   double degrees = 0.0;
 };
 [[nodiscard]] Ellipse95 ellipseOf(const std::array<double, 9>& covariance, double pixelsPerMetre);
+/// Large enough to be seen, and not beyond all measure.
+[[nodiscard]] bool isDrawn(const Ellipse95& ellipse);
+/// The doubt about a vehicle's place, over its body, about the painter's origin.
+void paintDoubt(QPainter& painter, const CanvasTheme& theme, const Ellipse95& ellipse, QColor colour);
 
 }  // namespace tessera::ui

@@ -1,5 +1,6 @@
 // Pictures of every view in both languages and appearances, with a look at each widget: is its text drawn whole? Run
-// once at each scale; the folder is TESSERA_PICTURES, or none are kept. `./dev pictures` renews those of docs/pictures.
+// once at each scale; the folder is TESSERA_PICTURES, or none are kept. docs/pictures/renew.sh renews
+// those of docs/pictures.
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDir>
@@ -9,6 +10,7 @@
 
 #include "app/desktop/desktop_fixture.h"
 #include "app/tessera/site_files.h"
+#include "ui/canvas/floor_canvas.h"
 #include "ui/commission/commission_wizard.h"
 #include "ui/connect/connect_dialog.h"
 #include "ui/help/about_dialog.h"
@@ -57,6 +59,7 @@ protected:
     const QStringList clipped = clippedTexts(widget);
     EXPECT_TRUE(clipped.isEmpty()) << view.toStdString() << " " << dress.name << ": "
                                    << clipped.join(QStringLiteral("; ")).toStdString();
+    for (auto* canvas : widget.findChildren<ui::FloorCanvas*>()) canvas->finishDrawing();
     const QPixmap picture = widget.grab();
     EXPECT_GT(coloursIn(picture.toImage()), 8) << "an empty picture of " << view.toStdString();
     const QString folder = qEnvironmentVariable("TESSERA_PICTURES");

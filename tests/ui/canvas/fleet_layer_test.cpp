@@ -75,6 +75,21 @@ TEST(Trail, BeginsANewPieceAfterALeapAndAfterALoss) {
   EXPECT_EQ(trail.size(), 1U);
 }
 
+TEST(Trail, TellsWhatCameSinceATimeAndKeepsPiecesApart) {
+  Trail trail;
+  const View view{{400, 300}, 1.0};
+  for (int n = 0; n < 5; ++n) trail.add({Metres{0.1 * n}, {}}, Seconds{1.0 * n});
+  trail.interrupt();
+  for (int n = 5; n < 8; ++n) trail.add({Metres{0.1 * n}, {}}, Seconds{1.0 * n});
+  EXPECT_EQ(trail.last(), Seconds{7});
+  const auto lines = trail.since(view, Seconds{2.5});
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0].size(), 3) << "from the last older point on";
+  EXPECT_EQ(lines[1].size(), 3) << "no line across the gap";
+  EXPECT_TRUE(trail.since(view, Seconds{7}).empty());
+  EXPECT_TRUE(Trail{}.since(view, Seconds{}).empty());
+}
+
 TEST(FleetLayer, FlashesEachReadOnceWhereItsTagLies) {
   FleetLayer layer;
   supervisor::VehicleView v = vehicleAt(1, 0, 0);

@@ -121,5 +121,16 @@ TEST(Clip, CutsAPolygonAndKeepsOneThatSurroundsTheWindow) {
   EXPECT_EQ(clipped(QPolygonF{QRectF{50, 50, 100, 20}}, window).boundingRect(), (QRectF{50, 50, 50, 20}));
 }
 
+TEST(Clip, LeavesTheStepsOfALineOutThatAreFarFromTheWindow) {
+  const QRectF window{0, 0, 100, 100};
+  const QPolygonF line{QPointF{-300, 50}, {-200, 50}, {-10, 50}, {50, 50}, {60, 300}, {60, 400}, {70, 90}};
+  const auto runs = runsWithin(line, window);
+  ASSERT_EQ(runs.size(), 2U);
+  EXPECT_EQ(runs[0], (QPolygonF{QPointF{-10, 50}, {50, 50}, {60, 300}}));
+  EXPECT_EQ(runs[1], (QPolygonF{QPointF{60, 400}, {70, 90}}));
+  EXPECT_TRUE(runsWithin(line.translated(0, 1000), window).empty());
+  EXPECT_EQ(runsWithin(QPolygonF{QRectF{10, 10, 20, 20}}, window).size(), 1U);
+}
+
 }  // namespace
 }  // namespace tessera::ui
