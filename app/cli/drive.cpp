@@ -11,7 +11,7 @@
 namespace tessera::cli {
 namespace {
 
-struct Words {
+struct DriveWords {
   std::string site;
   std::string port;
   std::vector<std::string> drives;
@@ -33,7 +33,7 @@ nlohmann::json resultOf(const experiment::Recorder& recorder) {
   return result;
 }
 
-int drive(const Words& words) {
+int drive(const DriveWords& words) {
   auto site = floor::loadSite(words.site);
   if (!site) return complain(site.error().sentence, kBadInput);
   auto map = floor::SiteMap::build(std::move(*site));
@@ -72,7 +72,7 @@ int drive(const Words& words) {
 
 void addDrive(CLI::App& app, Run& run) {
   auto* command = app.add_subcommand("drive", "Drive vehicles along routes over a serial port or a device server");
-  auto words = std::make_shared<Words>();
+  auto words = std::make_shared<DriveWords>();
   command->add_option("SITE", words->site, "A *.tessera.json file")->required();
   command
       ->add_option("--port", words->port,

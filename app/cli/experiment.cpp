@@ -20,7 +20,7 @@
 namespace tessera::cli {
 namespace {
 
-struct Words {
+struct ExperimentWords {
   world::WorldOptions world;
   std::string kind = "native";
   std::string route;
@@ -44,7 +44,7 @@ struct Plan {
   Seconds limit;
 };
 
-Result<Plan> planOf(const Words& words) {
+Result<Plan> planOf(const ExperimentWords& words) {
   auto site = floor::loadSite(words.world.site);
   if (!site) return tl::unexpected{site.error()};
   // The world's radios and the host's are set alike, as an integrator would.
@@ -74,7 +74,7 @@ Result<Plan> planOf(const Words& words) {
 }
 
 // A run in virtual time, in this process.
-Result<RunEnd> runLockstep(const Plan& plan, const Words& words, experiment::Recorder& recorder,
+Result<RunEnd> runLockstep(const Plan& plan, const ExperimentWords& words, experiment::Recorder& recorder,
                            ProgressLine& progress) {
   auto made = world::makeWorld(words.world, Seconds{});
   if (!made) return tl::unexpected{made.error()};
@@ -94,7 +94,7 @@ Result<RunEnd> runLockstep(const Plan& plan, const Words& words, experiment::Rec
 }
 
 // A run in real time over a pty: the world in a process of its own.
-Result<RunEnd> runThroughPty(const Plan& plan, const Words& words, experiment::Recorder& recorder,
+Result<RunEnd> runThroughPty(const Plan& plan, const ExperimentWords& words, experiment::Recorder& recorder,
                              ProgressLine& progress) {
   process::WorldProcess process;
   progress.note("Setting the simulated world up: each vehicle calibrates its compass.");
@@ -113,7 +113,7 @@ std::string nameOr(const std::string& asked, std::span<const std::string_view> n
   return asked.empty() ? std::string{names.front()} : asked;
 }
 
-nlohmann::json optionsOf(const Words& words, const Plan& plan) {
+nlohmann::json optionsOf(const ExperimentWords& words, const Plan& plan) {
   nlohmann::json options{{"site", words.world.site},
                          {"vehicle", words.kind},
                          {"speed_m_per_s", words.speed},
@@ -129,7 +129,7 @@ nlohmann::json optionsOf(const Words& words, const Plan& plan) {
   return options;
 }
 
-int conclude(const Words& words, const Plan& plan, const experiment::Recorder& recorder, RunEnd end) {
+int conclude(const ExperimentWords& words, const Plan& plan, const experiment::Recorder& recorder, RunEnd end) {
   std::vector<experiment::TruthTrack> truths;
   for (const auto& assignment : plan.assignments) {
     auto truth = experiment::readTruth(words.world.truth, assignment.vehicle.value);
@@ -155,7 +155,7 @@ int conclude(const Words& words, const Plan& plan, const experiment::Recorder& r
   return end == RunEnd::Finished ? kDone : kNotFinished;
 }
 
-int experimentMain(Words words) {
+int experimentMain(ExperimentWords words) {
   words.world.kind = words.kind == "qemu" ? world::Kind::Qemu : world::Kind::Native;
   if (words.lockstep && words.world.kind == world::Kind::Qemu) {
     return complain("An emulated vehicle runs in real time: leave out --lockstep, or take --vehicle native.", kUsage);
@@ -184,7 +184,7 @@ int experimentMain(Words words) {
 void addExperiment(CLI::App& app, Run& run) {
   auto* command = app.add_subcommand(
       "experiment", "Drive routes in a simulated world and measure how well: summary.json, track.csv, track.png");
-  auto words = std::make_shared<Words>();
+  auto words = std::make_shared<ExperimentWords>();
   command->add_option("SITE", words->world.site, "A *.tessera.json file")->required();
   command->add_option("--route", words->route, "Route for the site's first vehicle");
   command->add_option("--drive", words->drives, "ID=ROUTE: a vehicle and its route; may be given several times");

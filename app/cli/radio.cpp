@@ -16,7 +16,7 @@ namespace {
 
 using link::E32Parameters;
 
-struct Words {
+struct RadioWords {
   std::string port;
   std::string site;
   std::optional<int> channel;
@@ -54,7 +54,7 @@ std::string textOf(const E32Parameters& p) {
 }
 
 /// One conversation with the module. Error: the sentence that it ended with.
-Result<E32Parameters> converse(const Words& words, const std::optional<E32Parameters>& toWrite) {
+Result<E32Parameters> converse(const RadioWords& words, const std::optional<E32Parameters>& toWrite) {
   const auto port = host::PortChoice::parse(QString::fromStdString(words.port), 9600);
   if (!port) return tl::unexpected{port.error()};
   host::RadioModule module{*port, {words.lines}};
@@ -83,7 +83,7 @@ Result<E32Parameters> ofSite(const std::string& file) {
   return host::radioParametersOf(site->radio);
 }
 
-int tell(const Words& words, const E32Parameters& p) {
+int tell(const RadioWords& words, const E32Parameters& p) {
   if (words.json)
     say(jsonOf(p).dump(2));
   else
@@ -91,13 +91,13 @@ int tell(const Words& words, const E32Parameters& p) {
   return kDone;
 }
 
-int read(const Words& words) {
+int read(const RadioWords& words) {
   const auto module = converse(words, std::nullopt);
   return module ? tell(words, *module) : complain(module.error().sentence, kNoPort);
 }
 
 // What is not named stays as the module has it.
-int write(const Words& words) {
+int write(const RadioWords& words) {
   auto wanted = words.site.empty() ? converse(words, std::nullopt) : ofSite(words.site);
   if (!wanted) return complain(wanted.error().sentence, words.site.empty() ? kNoPort : kBadInput);
   if (words.channel) wanted->channel = *words.channel;
@@ -114,7 +114,7 @@ int write(const Words& words) {
   return module ? tell(words, *module) : complain(module.error().sentence, kNoPort);
 }
 
-int check(const Words& words) {
+int check(const RadioWords& words) {
   const auto site = ofSite(words.site);
   if (!site) return complain(site.error().sentence, kBadInput);
   const auto module = converse(words, std::nullopt);
@@ -132,8 +132,8 @@ int check(const Words& words) {
   return differences.empty() ? kDone : kNotFinished;
 }
 
-CLI::App* addPart(CLI::App& radio, const char* name, const char* help, const std::shared_ptr<Words>& words,
-                  int (*what)(const Words&), Run& run) {
+CLI::App* addPart(CLI::App& radio, const char* name, const char* help, const std::shared_ptr<RadioWords>& words,
+                  int (*what)(const RadioWords&), Run& run) {
   CLI::App* part = radio.add_subcommand(name, help);
   part->add_option("--port", words->port, "Port of the host's radio: a serial device, or tcp://HOST:PORT")->required();
   part->add_flag("--lines", words->lines, "M0 and M1 hang on RTS and DTR: switch them instead of waiting for jumpers");
@@ -148,7 +148,7 @@ void addRadio(CLI::App& app, Run& run) {
   auto* radio = app.add_subcommand(
       "radio", "The host's own radio module; its jumpers M0 and M1 must be set to 1 (on most boards: taken off) first");
   radio->require_subcommand(1);
-  auto words = std::make_shared<Words>();
+  auto words = std::make_shared<RadioWords>();
   addPart(*radio, "read", "Tell the module's parameters", words, read, run);
   auto* writing = addPart(*radio, "write", "Write parameters into the module and read them back", words, write, run);
   writing->add_option("--site", words->site,

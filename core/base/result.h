@@ -19,4 +19,10 @@ using Result = tl::expected<T, Error>;
   return tl::unexpected<Error>{Error{std::move(sentence)}};
 }
 
+/// The failure of one result as that of another, whose value is of another type.
+template <class T>
+[[nodiscard]] tl::unexpected<Error> passOn(const Result<T>& failed) {
+  return tl::unexpected<Error>{failed.error()};
+}
+
 }  // namespace tessera

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdint>
 #include <deque>
-#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -19,8 +18,6 @@
 #include "link/schedule.h"
 
 namespace tessera::link {
-
-inline constexpr Seconds kNever{std::numeric_limits<double>::infinity()};
 
 struct ChannelConfig {
   struct Vehicle {

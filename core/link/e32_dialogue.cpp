@@ -7,7 +7,7 @@ namespace {
 
 constexpr Seconds kAnswerPatience{0.4};  // the module answers within some 20 ms, adapters and networks add to that
 constexpr Seconds kQuiet{0.03};          // after an answer's last byte: nothing follows
-constexpr Seconds kWriteTime{0.3};       // for the module to keep what was written
+constexpr Seconds kKeepTime{0.3};        // for the module to keep what was written
 constexpr int kMostQuestions = 5;        // without two equal answers
 constexpr int kMostWrites = 3;
 constexpr std::size_t kMostHeard = 1024;  // a module in normal mode may speak without end
@@ -103,7 +103,7 @@ std::vector<std::uint8_t> E32Dialogue::heardParameters(Seconds now) {
 std::vector<std::uint8_t> E32Dialogue::writeOrEnd(Seconds now) {
   if (written_ == kMostWrites) return end(Outcome::NotTaken);
   ++written_;
-  return say(Step::Writing, *toWrite_, now, kWriteTime);
+  return say(Step::Writing, *toWrite_, now, kKeepTime);
 }
 
 }  // namespace tessera::link

@@ -1,12 +1,10 @@
 #include "link/schedule.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace tessera::link {
 namespace {
 
-constexpr Seconds kNever{std::numeric_limits<double>::infinity()};
 constexpr unsigned kProbeEvery = 3;  // a vehicle with another key hears no call, but answers a probe with a Hail
 
 bool contains(const Turn& turn, std::size_t peer) {

@@ -5,11 +5,14 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 #include "link/peer.h"
 
 namespace tessera::link {
+
+inline constexpr Seconds kNever{std::numeric_limits<double>::infinity()};
 
 struct Turn {
   enum class Kind {

@@ -7,7 +7,7 @@
 namespace tessera::locate {
 namespace {
 
-constexpr std::size_t kPruneAt = 256;
+constexpr std::size_t kPruneRecordsAt = 256;
 constexpr int kDoubtAfter = 4;            // contradicting reads in a row that agree on nothing
 constexpr double kStill = 0.02;           // m of travel that count as not having moved
 constexpr double kStandingTime = 0.5;     // s
@@ -28,7 +28,7 @@ KalmanLocator::KalmanLocator(std::shared_ptr<const floor::SiteMap> map, const fl
       model_{model},
       odometry_{vehicle.maxSpeed} {
   model_.radius = vehicle.readerRadius.value();
-  records_.reserve(kPruneAt + 1);
+  records_.reserve(kPruneRecordsAt + 1);
   reset(vehicle.start);
 }
 
@@ -234,11 +234,11 @@ void KalmanLocator::startFrom(const Record& read) {
 }
 
 void KalmanLocator::prune() {
-  if (records_.size() < kPruneAt) return;
+  if (records_.size() < kPruneRecordsAt) return;
   const double oldest = odometry_.last().value() - kHistory.value();
   std::size_t drop = 0;
   while (drop + 1 < records_.size() && records_[drop + 1].at < oldest) ++drop;
-  if (records_.size() - drop >= kPruneAt) drop = records_.size() - kPruneAt / 2;
+  if (records_.size() - drop >= kPruneRecordsAt) drop = records_.size() - kPruneRecordsAt / 2;
   if (drop == 0) return;
   base_ = records_[drop - 1].after;
   baseAt_ = records_[drop - 1].at;

@@ -9,7 +9,7 @@
 namespace tessera::locate {
 namespace {
 
-constexpr std::size_t kPruneAt = 256;
+constexpr std::size_t kPruneSamplesAt = 256;
 constexpr double kShortest = 1e-6;   // s; closer samples say nothing about a rate
 constexpr double kLeastJump = 0.05;  // m; smaller steps may be rounding or a late sample
 
@@ -48,7 +48,7 @@ bool Odometry::add(const Motion& motion) {
   samples_.insert(samples_.begin() + static_cast<std::ptrdiff_t>(index), sample);
   join(index);
   join(index + 1);
-  if (samples_.size() > kPruneAt) {
+  if (samples_.size() > kPruneSamplesAt) {
     const double oldest = samples_.back().at - Locator::kHistory.value() - 1.0;
     const std::size_t keep = std::max<std::size_t>(firstAfter(oldest), 1) - 1;
     samples_.erase(samples_.begin(), samples_.begin() + static_cast<std::ptrdiff_t>(keep));

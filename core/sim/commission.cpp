@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "sim/air.h"
 #include "sim/commission_bench.h"
 #include "sim/native_host.h"
 
@@ -15,7 +16,7 @@ namespace {
 using wire::Parameter;
 
 constexpr Seconds kCalibrationPatience{120.0};
-constexpr Seconds kPollPeriod{0.1};
+constexpr Seconds kBenchPollPeriod{0.1};
 constexpr Seconds kSavingTime{0.5};  // the firmware writes its settings behind its other work
 
 int codeOf(std::span<const int> values, double wanted) {
@@ -33,7 +34,7 @@ Result<void> calibrate(CommissionBench& bench) {
   bool seen = false;
   while (bench.now() < end) {
     const auto report = bench.poll();
-    bench.run(kPollPeriod);
+    bench.run(kBenchPollPeriod);
     if (!report) continue;
     if (report->state == wire::VehicleState::Faulted)
       return failure("On the bench the vehicle fell into fault " + std::to_string(report->faults) + ".");
@@ -48,7 +49,6 @@ Result<void> calibrate(CommissionBench& bench) {
 
 Result<firmware::Settings> settingsFor(const floor::VehicleSetup& setup, const floor::RadioSetup& radio,
                                        const BodyParameters& body) {
-  static constexpr std::array<int, 6> kAirRates{300, 1200, 2400, 4800, 9600, 19200};
   static constexpr std::array<int, 8> kBauds{1200, 2400, 4800, 9600, 19200, 38400, 57600, 115200};
   const std::array<std::pair<Parameter, double>, 11> values{{
       {Parameter::Address, setup.id.value},
@@ -60,7 +60,7 @@ Result<firmware::Settings> settingsFor(const floor::VehicleSetup& setup, const f
       {Parameter::Acceleration, setup.acceleration.value() * 1e3},
       {Parameter::ReaderCount, static_cast<double>(setup.readers.size())},
       {Parameter::RadioChannel, radio.channel},
-      {Parameter::RadioAirRate, codeOf(kAirRates, radio.airRate)},
+      {Parameter::RadioAirRate, airRateOf(radio.airRate).value_or(-1)},
       {Parameter::RadioBaud, codeOf(kBauds, radio.baud)},
   }};
   firmware::Settings settings;

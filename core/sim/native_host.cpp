@@ -6,8 +6,8 @@
 namespace tessera::sim {
 namespace {
 
-constexpr std::uint64_t kPollPeriod = 1000;    // µs
-constexpr std::uint64_t kTickPeriod = 10'000;  // µs
+constexpr std::uint64_t kBoardPollPeriod = 1000;  // µs
+constexpr std::uint64_t kTickPeriod = 10'000;     // µs
 
 std::uint64_t microsOf(Seconds t) { return static_cast<std::uint64_t>(std::llround(std::max(0.0, t.value()) * 1e6)); }
 
@@ -52,7 +52,7 @@ void NativeHost::fromReaders(std::span<const std::uint8_t> bytes) {
 void NativeHost::advance(Seconds now) {
   const std::uint64_t target = microsOf(now);
   while (vehicle_ && board_.now() < target) {
-    board_.advanceTo(std::min(target, board_.now() + kPollPeriod));
+    board_.advanceTo(std::min(target, board_.now() + kBoardPollPeriod));
     vehicle_->poll();
     if (board_.now() >= nextTick_) {
       vehicle_->tick();

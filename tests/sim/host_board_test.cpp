@@ -5,14 +5,10 @@
 #include <limits>
 #include <vector>
 
+#include "sim/blank_eeprom.h"
+
 namespace tessera::firmware {
 namespace {
-
-EepromChip::Image blank() {
-  EepromChip::Image image;
-  image.fill(0xFF);
-  return image;
-}
 
 TEST(HostBoard, sendsAtThePaceOfItsBaud) {
   HostBoard board{blank()};

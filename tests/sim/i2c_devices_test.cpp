@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "sim/blank_eeprom.h"
+
 namespace tessera::firmware {
 namespace {
 
@@ -117,12 +119,6 @@ TEST(CompassChip, letsNobodyWriteItsDataOrIdentification) {
   c.set(10, 0x55);
   EXPECT_EQ(c.axes()[0], 654);
   EXPECT_EQ(c.get(10, 1)[0], 'H');
-}
-
-EepromChip::Image blank() {
-  EepromChip::Image image;
-  image.fill(0xFF);
-  return image;
 }
 
 std::vector<std::uint8_t> readAt(EepromChip& chip, std::size_t address, std::size_t count, std::uint64_t now) {

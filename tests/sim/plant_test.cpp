@@ -8,7 +8,7 @@ namespace tessera::sim {
 namespace {
 
 constexpr Seconds kMillisecond{0.001};
-constexpr double kVolts = 12.0;
+constexpr double kMotorVolts = 12.0;
 
 PlantParameters perfect() {
   PlantParameters p;
@@ -21,7 +21,7 @@ Plant perfectPlant(const PlantParameters& parameters = perfect()) {
 }
 
 void run(Plant& plant, int milliseconds, std::array<int, 2> duty) {
-  for (int i = 0; i < milliseconds; ++i) plant.step(kMillisecond, duty, kVolts);
+  for (int i = 0; i < milliseconds; ++i) plant.step(kMillisecond, duty, kMotorVolts);
 }
 
 TEST(Plant, followsTheClosedFormOfAnArc) {
@@ -132,7 +132,7 @@ TEST(Plant, hasOdometryThatIsWrongByAboutAPercent) {
     Metres way;
     for (int i = 0; i < 4000; ++i) {
       const Point before = plant.pose().position;
-      plant.step(kMillisecond, {500, 500}, kVolts);
+      plant.step(kMillisecond, {500, 500}, kMotorVolts);
       way += distance(before, plant.pose().position);
     }
     const double measured = (plant.wheelAngle(0).value() + plant.wheelAngle(1).value()) / 2 * 0.05;

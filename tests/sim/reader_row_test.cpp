@@ -9,7 +9,7 @@
 namespace tessera::sim {
 namespace {
 
-constexpr double kVolts = 12.345;
+constexpr double kBatteryVolts = 12.345;
 const std::vector<Offset> kHeads{
     {Metres{0.15}, Metres{0.10}}, {Metres{0.15}, Metres{0.0}}, {Metres{0.15}, Metres{-0.10}}};
 
@@ -29,7 +29,7 @@ struct Row {
       : row{parameters, kHeads, map, seed, 7} {}
   void step() {
     now += Seconds{0.001};
-    row.step(now, pose, kVolts);
+    row.step(now, pose, kBatteryVolts);
   }
   void run(int milliseconds) {
     for (int i = 0; i < milliseconds; ++i) step();
@@ -69,7 +69,7 @@ TEST(ReaderRow, seesATagAboutAQuarterOfTheTimeOnTheOneInTwoFloor) {
     const std::uint64_t before = r.row.attempts(0);
     while (r.row.attempts(0) == before) {
       r.now += Seconds{0.01};
-      r.row.step(r.now, r.pose, kVolts);
+      r.row.step(r.now, r.pose, kBatteryVolts);
     }
     // The attempt that has just ended asked the floor at this pose or the one before: both are random places.
     for (std::size_t i = 0; i < 3; ++i, ++tries)
@@ -110,7 +110,7 @@ TEST(ReaderRow, takesTheNearestOfSeveralTags) {
   wide.detection = 1.0;
   ReaderRow row{wide, kHeads, r.map, 1, 7};
   r.place(1, r.map->tags()[300].place + Offset{Metres{0.03}, Metres{0.01}});
-  for (int i = 0; i < 500; ++i) row.step(Seconds{0.001 * i}, r.pose, kVolts);
+  for (int i = 0; i < 500; ++i) row.step(Seconds{0.001 * i}, r.pose, kBatteryVolts);
   EXPECT_EQ(row.lastRead(1), r.map->tags()[300].uid);
 }
 

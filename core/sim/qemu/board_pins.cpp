@@ -29,11 +29,6 @@ constexpr double kFieldTurn = 0.75;   // µT
 constexpr double kFieldStep = 0.05;   // µT: half of the compass' resolution
 constexpr double kFieldMost = 186.0;  // µT: beyond, and below 0, the emulated compass takes no values
 
-template <class T>
-tl::unexpected<Error> passOn(const Result<T>& r) {
-  return tl::unexpected<Error>{r.error()};
-}
-
 /// The word at an address of the emulated memory.
 Result<std::uint64_t> readWord(QemuLink& link, const char* address) {
   const auto answers = link.pins({std::string{"readl "} + address});

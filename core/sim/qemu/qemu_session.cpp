@@ -8,14 +8,6 @@
 #include "sim/qemu/monotonic.h"
 
 namespace tessera::sim {
-namespace {
-
-template <class T>
-tl::unexpected<Error> passOn(const Result<T>& r) {
-  return tl::unexpected<Error>{r.error()};
-}
-
-}  // namespace
 
 QemuHost::Session::Session(const QemuConfig& config, const Signals& signals) : config_{config}, newSignals_{signals} {
   thread_ = std::thread{[this] { run(); }};
