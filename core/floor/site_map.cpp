@@ -6,22 +6,10 @@
 #include <map>
 #include <string_view>
 
+#include "floor/laid_tile.h"
+
 namespace tessera::floor {
 namespace {
-
-// Quarter turns are exact: no sine of half pi that is almost one.
-Offset quarterTurned(Offset l, int turns) {
-  switch (((turns % 4) + 4) % 4) {
-    case 1:
-      return {-l.y, l.x};
-    case 2:
-      return {-l.x, -l.y};
-    case 3:
-      return {l.y, -l.x};
-    default:
-      return l;
-  }
-}
 
 std::string quoted(const std::string& name) { return "\"" + name + "\""; }
 
@@ -97,7 +85,7 @@ private:
     }
     for (std::size_t n = 0; n < uids.size(); ++n) {
       if (uids[n].empty()) continue;
-      placed_.push_back({uids[n], placement.origin + quarterTurned(offsets[n], placement.quarterTurns)});
+      placed_.push_back({uids[n], placeOn(placement, offsets[n])});
     }
     return std::nullopt;
   }

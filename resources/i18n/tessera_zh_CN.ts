@@ -823,6 +823,238 @@
         <source>%1 drives; stop it before you give it another key.</source>
         <translation>%1 正在行驶；请先停止，再更换密钥。</translation>
     </message>
+    <message>
+        <source>Tiles &quot;%1&quot; and &quot;%2&quot; lie upon one another, over %3 × %4 cm.</source>
+        <translation>地板砖“%1”与“%2”相互重叠，重叠部分为 %3 × %4 cm。</translation>
+    </message>
+    <message>
+        <source>Take tile &quot;%1&quot; up</source>
+        <translation>撤去地板砖“%1”</translation>
+    </message>
+    <message>
+        <source>Tile &quot;%1&quot; lies %2 cm off its neighbour &quot;%3&quot;.</source>
+        <translation>地板砖“%1”与相邻地板砖“%3”偏差 %2 cm。</translation>
+    </message>
+    <message>
+        <source>Move tile &quot;%1&quot; up to tile &quot;%2&quot;</source>
+        <translation>将地板砖“%1”移到紧贴地板砖“%2”处</translation>
+    </message>
+    <message>
+        <source>On route &quot;%1&quot; vehicle &quot;%2&quot; sees no registered tag for %3 m, from %4 m on; it can bridge %5 m.</source>
+        <translation>在路径“%1”上，车辆“%2”从 %4 m 处起连续 %3 m 读不到已登记的电子标签；最多可跨越 %5 m。</translation>
+    </message>
+    <message>
+        <source>Route &quot;%1&quot; has fewer than two different points.</source>
+        <translation>路径“%1”的不同点少于两个。</translation>
+    </message>
+    <message>
+        <source>Route &quot;%1&quot; has the same point twice in a row.</source>
+        <translation>路径“%1”中有连续重复的点。</translation>
+    </message>
+    <message>
+        <source>Take the repeated points out of route &quot;%1&quot;</source>
+        <translation>去掉路径“%1”中的重复点</translation>
+    </message>
+    <message>
+        <source>Route &quot;%1&quot; leads %2 m through the no-go zone &quot;%3&quot;.</source>
+        <translation>路径“%1”有 %2 m 穿过禁行区域“%3”。</translation>
+    </message>
+    <message>
+        <source>Route &quot;%1&quot; leads %2 m outside the zones in which vehicles may be.</source>
+        <translation>路径“%1”有 %2 m 位于车辆可行驶区域之外。</translation>
+    </message>
+    <message>
+        <source>Route &quot;%1&quot; leads %2 m the wrong way through the one-way zone &quot;%3&quot;.</source>
+        <translation>路径“%1”有 %2 m 逆行穿过单行区域“%3”。</translation>
+    </message>
+    <message>
+        <source>At %2 m route &quot;%1&quot; bends faster than vehicle &quot;%3&quot; can turn at its full speed: %4 rad/s instead of %5 rad/s.</source>
+        <translation>路径“%1”在 %2 m 处转弯过急：车辆“%3”全速时需要 %4 rad/s，而其上限为 %5 rad/s。</translation>
+    </message>
+    <message>
+        <source>On route &quot;%1&quot; vehicle &quot;%2&quot; sticks out of the zones in which it may be, over %3 m² about %4 m.</source>
+        <translation>在路径“%1”上，车辆“%2”的车身会超出可行驶区域，面积 %3 m²，位于 %4 m 附近。</translation>
+    </message>
+    <message>
+        <source>Two routes are called &quot;%1&quot;.</source>
+        <translation>有两条路径名为“%1”。</translation>
+    </message>
+    <message>
+        <source>Two tile types are called &quot;%1&quot;.</source>
+        <translation>有两种地板规格名为“%1”。</translation>
+    </message>
+    <message>
+        <source>Tile &quot;%1&quot; is of type &quot;%2&quot;, which is not known.</source>
+        <translation>地板砖“%1”的规格“%2”未知。</translation>
+    </message>
+    <message>
+        <source>Tile &quot;%1&quot; has a place that is no number or farther than 1000 km from the site&apos;s origin.</source>
+        <translation>地板砖“%1”的位置不是数字，或距场地原点超过 1000 km。</translation>
+    </message>
+    <message>
+        <source>Tile &quot;%1&quot; is laid, but no such tile is known.</source>
+        <translation>已铺设地板砖“%1”，但没有该地板砖的记录。</translation>
+    </message>
+    <message>
+        <source>Tile &quot;%1&quot; is laid twice: at %2 and at %3 m.</source>
+        <translation>地板砖“%1”铺设了两次：%2 和 %3 m 处。</translation>
+    </message>
+    <message>
+        <source>Two tiles have the serial number &quot;%1&quot;.</source>
+        <translation>有两块地板砖的序列号为“%1”。</translation>
+    </message>
+    <message>
+        <source>Forget the second entry of tile &quot;%1&quot;, which is the same</source>
+        <translation>删除地板砖“%1”的重复记录（两条相同）</translation>
+    </message>
+    <message>
+        <source>a loose tag at %1 m</source>
+        <translation>位于 %1 m 的单独电子标签</translation>
+    </message>
+    <message>
+        <source>tag %1 of tile &quot;%2&quot;</source>
+        <translation>地板砖“%2”的第 %1 个电子标签</translation>
+    </message>
+    <message>
+        <source>Forget the loose tag %1</source>
+        <translation>删除单独电子标签 %1</translation>
+    </message>
+    <message>
+        <source>Clear tag %1 of tile &quot;%2&quot;</source>
+        <translation>清除地板砖“%2”的第 %1 个电子标签</translation>
+    </message>
+    <message>
+        <source>Tag %1 is registered twice: as %2 and as %3.</source>
+        <translation>电子标签 %1 登记了两次：%2 和 %3。</translation>
+    </message>
+    <message>
+        <source>Tile &quot;%1&quot; has %2 UIDs, but its type &quot;%3&quot; has only %4 tags.</source>
+        <translation>地板砖“%1”有 %2 个 UID，但其规格“%3”只有 %4 个电子标签。</translation>
+    </message>
+    <message>
+        <source>No tag of tile &quot;%1&quot; is registered.</source>
+        <translation>地板砖“%1”的电子标签均未登记。</translation>
+    </message>
+    <message>
+        <source>Tile &quot;%1&quot; has %2 of its %3 tags registered.</source>
+        <translation>地板砖“%1”的 %3 个电子标签中只登记了 %2 个。</translation>
+    </message>
+    <message>
+        <source>Give vehicle &quot;%1&quot; the address %2</source>
+        <translation>将车辆“%1”的地址改为 %2</translation>
+    </message>
+    <message>
+        <source>Vehicle &quot;%1&quot; has the address %2; addresses run from 1 to 254.</source>
+        <translation>车辆“%1”的地址为 %2；地址范围为 1 到 254。</translation>
+    </message>
+    <message>
+        <source>Vehicles &quot;%1&quot; and &quot;%2&quot; have the same address %3.</source>
+        <translation>车辆“%1”和“%2”的地址同为 %3。</translation>
+    </message>
+    <message>
+        <source>Two vehicles are called &quot;%1&quot;.</source>
+        <translation>有两辆车名为“%1”。</translation>
+    </message>
+    <message>
+        <source>Vehicle &quot;%1&quot; has no key: it has not been paired.</source>
+        <translation>车辆“%1”没有密钥：尚未配对。</translation>
+    </message>
+    <message>
+        <source>Vehicles &quot;%1&quot; and &quot;%2&quot; have the same key: each could speak for the other.</source>
+        <translation>车辆“%1”和“%2”的密钥相同：可以互相冒充。</translation>
+    </message>
+    <message>
+        <source>Vehicle &quot;%1&quot; has no readers: it cannot see tags.</source>
+        <translation>车辆“%1”没有读卡器，读不到电子标签。</translation>
+    </message>
+    <message>
+        <source>The outline of vehicle &quot;%1&quot; has no area.</source>
+        <translation>车辆“%1”的外形轮廓没有面积。</translation>
+    </message>
+    <message>
+        <source>Vehicle &quot;%1&quot; starts at %2 m, where no zone lets it be.</source>
+        <translation>车辆“%1”的起始位置 %2 m 不在任何可行驶区域内。</translation>
+    </message>
+    <message>
+        <source>The radio has no channel %1; channels run from 0 to 31.</source>
+        <translation>无线模块没有信道 %1；信道范围为 0 到 31。</translation>
+    </message>
+    <message>
+        <source>The radio knows no air rate of %1 bit/s.</source>
+        <translation>无线模块不支持 %1 bit/s 的空中速率。</translation>
+    </message>
+    <message>
+        <source>The radio module knows no %1 baud.</source>
+        <translation>无线模块不支持 %1 波特率。</translation>
+    </message>
+    <message>
+        <source>At %1 bit/s each of the %2 vehicles is commanded about every %3 s only; it would drive slowly and in jerks. Take a higher air rate, or fewer vehicles on one channel.</source>
+        <translation>空中速率为 %1 bit/s 时，%2 辆车中每辆约每 %3 s 才收到一次指令，行驶会缓慢且不连贯。请提高空中速率，或减少同一信道上的车辆。</translation>
+    </message>
+    <message>
+        <source>No tile is laid and no loose tag is known: vehicles would not find their way.</source>
+        <translation>没有铺设地板砖，也没有单独电子标签：车辆无法定位。</translation>
+    </message>
+    <message>
+        <source>The site has no vehicle.</source>
+        <translation>场地没有车辆。</translation>
+    </message>
+    <message>
+        <source>The site has no running zone: routes are not checked against where vehicles may be.</source>
+        <translation>场地没有行驶区域：无法检查路径是否位于车辆可行驶的地方。</translation>
+    </message>
+    <message>
+        <source>The outline of zone &quot;%1&quot; has the same point twice in a row; it closes by itself, without its first point at the end.</source>
+        <translation>区域“%1”的轮廓中有连续重复的点；轮廓会自动闭合，末尾无需重复起点。</translation>
+    </message>
+    <message>
+        <source>Take the repeated points out of zone &quot;%1&quot;</source>
+        <translation>去掉区域“%1”中的重复点</translation>
+    </message>
+    <message>
+        <source>Zone &quot;%1&quot; has no area.</source>
+        <translation>区域“%1”没有面积。</translation>
+    </message>
+    <message>
+        <source>The outline of zone &quot;%1&quot; crosses itself: what it encloses twice lies outside.</source>
+        <translation>区域“%1”的轮廓自相交：被围两次的部分算作区域之外。</translation>
+    </message>
+    <message>
+        <source>Two zones are called &quot;%1&quot;.</source>
+        <translation>有两个区域名为“%1”。</translation>
+    </message>
+    <message>
+        <source>The slow zone &quot;%1&quot; does not say how fast vehicles may go in it.</source>
+        <translation>慢行区域“%1”没有给出限速。</translation>
+    </message>
+    <message>
+        <source>The one-way zone &quot;%1&quot; does not say which way.</source>
+        <translation>单行区域“%1”没有给出方向。</translation>
+    </message>
+    <message>
+        <source>Zone &quot;%1&quot; lies wholly in the no-go zone &quot;%2&quot;, which wins: it has no effect.</source>
+        <translation>区域“%1”完全位于禁行区域“%2”内；禁行优先，该区域不起作用。</translation>
+    </message>
+    <message>
+        <source>%1 m² of zone &quot;%2&quot; lie in the no-go zone &quot;%3&quot;, which wins.</source>
+        <translation>区域“%2”有 %1 m² 位于禁行区域“%3”内；禁行优先。</translation>
+    </message>
+    <message>
+        <source>The one-way zones &quot;%1&quot; and &quot;%2&quot; overlap and lead %3° apart.</source>
+        <translation>单行区域“%1”与“%2”重叠，方向相差 %3°。</translation>
+    </message>
+    <message>
+        <source>No way leads from a running zone into zone &quot;%1&quot;.</source>
+        <translation>从行驶区域无路可通往区域“%1”。</translation>
+    </message>
+    <message>
+        <source>%1 m² of the running zone &quot;%2&quot; at %3 m have no tiles.</source>
+        <translation>行驶区域“%2”在 %3 m 处有 %1 m² 没有地板砖。</translation>
+    </message>
+    <message>
+        <source>%1 more faults of this kind are not listed one by one.</source>
+        <translation>另有 %1 个同类问题未逐一列出。</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>

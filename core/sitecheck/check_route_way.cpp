@@ -1,0 +1,227 @@
+// Routes against the zones and the vehicles that would follow them.
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+
+#include "base/polyline.h"
+#include "sitecheck/body.h"
+#include "sitecheck/checks.h"
+#include "sitecheck/outline.h"
+#include "sitecheck/wording.h"
+
+namespace tessera::sitecheck {
+namespace {
+
+using floor::Route;
+using floor::VehicleSetup;
+using floor::ZoneKind;
+using region::Region;
+using region::Stretch;
+
+constexpr Metres kSliver{0.005};  // shorter ways outside are a line drawn along an edge
+
+Fault routeFault(FaultKind kind, Severity severity, const Route& route, const Sentence& sentence) {
+  return {kind, severity, sentence, {}, {{ObjectKind::Route, route.name}}, {}};
+}
+
+// Length of a way's parts, and the box around them.
+struct Parts {
+  Metres length;
+  std::optional<Box> place;
+  void add(Point from, Point to, const Stretch& s) {
+    const Point ends[] = {from + s.from * (to - from), from + s.to * (to - from)};
+    length += distance(ends[0], ends[1]);
+    place = place ? boxAround(*place, boxAround(ends)) : boxAround(ends);
+  }
+};
+
+template <class Visit>
+void forEachLeg(const Polyline& line, Visit visit) {
+  for (std::size_t leg = 0; leg < line.legCount(); ++leg) visit(leg, line.vertices()[leg], line.vertices()[leg + 1]);
+}
+
+Parts inside(const Polyline& line, const Region& area) {
+  Parts parts;
+  forEachLeg(line, [&](std::size_t, Point a, Point b) {
+    for (const Stretch& s : area.within(a, b)) parts.add(a, b, s);
+  });
+  return parts;
+}
+
+Parts outside(const Polyline& line, const Region& area) {
+  Parts parts;
+  forEachLeg(line, [&](std::size_t, Point a, Point b) {
+    double at = 0.0;
+    for (const Stretch& s : area.within(a, b)) {
+      if (s.from > at) parts.add(a, b, {at, s.from});
+      at = s.to;
+    }
+    if (at < 1.0) parts.add(a, b, {at, 1.0});
+  });
+  return parts;
+}
+
+class Way {
+public:
+  Way(const Context& context, const Route& route)
+      : context_{context}, route_{route}, line_{withoutRepeats(route.vertices, false)} {}
+
+  Faults check() {
+    shape();
+    if (line_.legCount() == 0) return std::move(faults_);
+    noGo();
+    running();
+    oneWays();
+    for (const VehicleSetup* v : bodiesOf(context_.site)) {
+      tooTight(*v);
+      if (onFloor_) tooClose(*v);
+    }
+    return std::move(faults_);
+  }
+
+private:
+  Fault& tell(FaultKind kind, Severity severity, const Sentence& sentence, const std::optional<Box>& place) {
+    faults_.push_back(routeFault(kind, severity, route_, sentence));
+    if (place && isPlace(*place)) faults_.back().place = place;
+    return faults_.back();
+  }
+
+  void shape() {
+    const auto all = route_.vertices.empty() ? std::nullopt : std::optional{boxAround(route_.vertices)};
+    if (line_.legCount() == 0) {
+      tell(FaultKind::RouteTooShort, Severity::Error,
+           phrase("Core", "Route \"%1\" has fewer than two different points.").with(route_.name), all);
+    } else if (line_.vertices().size() != route_.vertices.size()) {
+      tell(FaultKind::RouteRepeatsPoint, Severity::Warning,
+           phrase("Core", "Route \"%1\" has the same point twice in a row.").with(route_.name), all)
+          .fix = Fix{phrase("Core", "Take the repeated points out of route \"%1\"").with(route_.name),
+                     ReplaceVertices{route_.name, route_.vertices, line_.vertices()}};
+    }
+  }
+
+  void noGo() {
+    for (std::size_t i = 0; i < context_.site.zones.size(); ++i) {
+      const floor::Zone& zone = context_.site.zones[i];
+      if (zone.kind != ZoneKind::NoGo) continue;
+      const Parts parts = inside(line_, context_.zones.areas[i].grown(-1.0 * kSliver));
+      if (parts.length <= kSliver) continue;
+      onFloor_ = false;
+      tell(FaultKind::RouteCrossesNoGo, Severity::Error,
+           phrase("Core", "Route \"%1\" leads %2 m through the no-go zone \"%3\".")
+               .with(route_.name, inMetres(parts.length), zone.name),
+           parts.place)
+          .objects.push_back({ObjectKind::Zone, zone.name});
+    }
+  }
+
+  void running() {
+    if (!context_.zones.anyRunning || !onFloor_) return;
+    const Parts parts = outside(line_, context_.zones.drivable);
+    if (parts.length <= kSliver) return;
+    onFloor_ = false;
+    tell(FaultKind::RouteLeavesRunningZone, Severity::Error,
+         phrase("Core", "Route \"%1\" leads %2 m outside the zones in which vehicles may be.")
+             .with(route_.name, inMetres(parts.length)),
+         parts.place);
+  }
+
+  void oneWays() {
+    for (std::size_t i = 0; i < context_.site.zones.size(); ++i) {
+      const floor::Zone& zone = context_.site.zones[i];
+      if (zone.kind != ZoneKind::OneWay || !zone.direction) continue;
+      Parts parts;
+      forEachLeg(line_, [&](std::size_t leg, Point a, Point b) {
+        if (abs(turnBetween(*zone.direction, line_.headingOf(leg))) <= Radians{kPi / 2 + 1e-6}) return;
+        for (const Stretch& s : context_.zones.areas[i].within(a, b)) parts.add(a, b, s);
+      });
+      if (parts.length <= kSliver) continue;
+      tell(FaultKind::RouteAgainstOneWay, Severity::Error,
+           phrase("Core", "Route \"%1\" leads %2 m the wrong way through the one-way zone \"%3\".")
+               .with(route_.name, inMetres(parts.length), zone.name),
+           parts.place)
+          .objects.push_back({ObjectKind::Zone, zone.name});
+    }
+  }
+
+  // Bends that are not sharp are driven without stopping: how fast they turn the vehicle, at its full speed.
+  void tooTight(const VehicleSetup& v) {
+    double worst = v.maxTurnRate.value() * 1.001;
+    std::optional<std::size_t> at;
+    for (std::size_t i = 1; i < line_.legCount(); ++i) {
+      const double turn = std::abs(turnBetween(line_.headingOf(i - 1), line_.headingOf(i)).value());
+      if (turn >= context_.options.sharpCorner.value()) continue;
+      const Metres over = 0.5 * (line_.startOf(i + 1) - line_.startOf(i - 1));
+      const double rate = v.maxSpeed.value() * turn / over.value();
+      if (rate > worst) {
+        worst = rate;
+        at = i;
+      }
+    }
+    if (!at) return;
+    const Point place = line_.vertices()[*at];
+    tell(FaultKind::RouteTooTight, Severity::Warning,
+         phrase("Core",
+                "At %2 m route \"%1\" bends faster than vehicle \"%3\" can turn at its full speed: %4 rad/s instead of "
+                "%5 rad/s.")
+             .with(route_.name, placeText(place), v.name, figure(worst, 2), figure(v.maxTurnRate.value(), 2)),
+         Box{place, place})
+        .objects.push_back({ObjectKind::Vehicle, v.name});
+  }
+
+  // The outline carried along every leg, and turned on the spot at every vertex in steps of a few degrees.
+  [[nodiscard]] Region sweptBy(const VehicleSetup& v) const {
+    std::vector<Region> parts;
+    const auto facing = [&](Point place, double heading) {
+      std::vector<Point> outline;
+      for (const Point& p : v.footprint) outline.push_back(placeOf({place, Radians{heading}}, {p.x, p.y}));
+      return Region::of(outline);
+    };
+    forEachLeg(line_, [&](std::size_t leg, Point a, Point b) {
+      const double heading = line_.headingOf(leg).value();
+      parts.push_back(facing(a, heading).swept(b - a));
+      if (leg + 1 == line_.legCount()) return;
+      const double turn = turnBetween(line_.headingOf(leg), line_.headingOf(leg + 1)).value();
+      const int steps = static_cast<int>(std::ceil(std::abs(turn) / 0.1));
+      for (int i = 1; i < steps; ++i) parts.push_back(facing(b, heading + turn * i / steps));
+    });
+    return Region::unionOf(parts);
+  }
+
+  void tooClose(const VehicleSetup& v) {
+    const Region swept = sweptBy(v);
+    const Region off =
+        (context_.zones.anyRunning ? swept - context_.zones.drivable : swept & context_.zones.noGo).opened(kSliver);
+    if (off.empty()) return;
+    tell(FaultKind::RouteTooClose, Severity::Warning,
+         phrase("Core",
+                "On route \"%1\" vehicle \"%2\" sticks out of the zones in which it may be, over %3 m² about %4 m.")
+             .with(route_.name, v.name, figure(off.squareMetres(), 2), placeText(middleOf(off.bounds()))),
+         off.bounds())
+        .objects.push_back({ObjectKind::Vehicle, v.name});
+  }
+
+  const Context& context_;
+  const Route& route_;
+  Polyline line_;
+  Faults faults_;
+  bool onFloor_ = true;  ///< the line itself is where vehicles may be
+};
+
+}  // namespace
+
+Faults checkRouteWay(const Context& context, std::size_t route) {
+  return Way{context, context.site.routes[route]}.check();
+}
+
+Faults checkRouteNames(const Context& context) {
+  Faults faults;
+  std::unordered_set<std::string_view> names;
+  for (const Route& route : context.site.routes) {
+    if (!names.insert(route.name).second)
+      faults.push_back(routeFault(FaultKind::RouteTwice, Severity::Error, route,
+                                  phrase("Core", "Two routes are called \"%1\".").with(route.name)));
+  }
+  return faults;
+}
+
+}  // namespace tessera::sitecheck

@@ -1,0 +1,119 @@
+// Serial numbers and types that name nothing, or two things.
+#include <string_view>
+#include <unordered_map>
+
+#include "floor/laid_tile.h"
+#include "sitecheck/checks.h"
+#include "sitecheck/wording.h"
+
+namespace tessera::sitecheck {
+namespace {
+
+using floor::Placement;
+using floor::Tile;
+using Seen = std::unordered_map<std::string_view, std::uint32_t>;
+
+std::optional<Box> boxOfTile(const Context& context, std::size_t tile) {
+  const std::uint32_t laid = context.plan.laidOf(tile);
+  return laid == FloorPlan::kNone ? std::nullopt : std::optional{context.plan.laid()[laid].box};
+}
+
+void tileTypes(const Context& context, Faults& faults) {
+  FaultList twice{faults, FaultKind::TileTypeTwice, Severity::Error, context.options.mostOfAKind};
+  Seen seen;
+  for (const floor::TileType& type : context.site.tileTypes) {
+    if (seen.try_emplace(type.name, 0).second) continue;
+    twice.add({}, [&] {
+      return Fault{.sentence = phrase("Core", "Two tile types are called \"%1\".").with(type.name),
+                   .objects = {{ObjectKind::TileType, type.name}}};
+    });
+  }
+  twice.close();
+}
+
+void tiles(const Context& context, Faults& faults) {
+  FaultList typeless{faults, FaultKind::TileTypeUnknown, Severity::Error, context.options.mostOfAKind};
+  for (std::size_t i = 0; i < context.site.tiles.size(); ++i) {
+    if (context.plan.typeOf(i) != FloorPlan::kNone) continue;
+    const Tile& tile = context.site.tiles[i];
+    typeless.add({}, [&] {
+      return Fault{
+          .sentence = phrase("Core", "Tile \"%1\" is of type \"%2\", which is not known.").with(tile.serial, tile.type),
+          .objects = {{ObjectKind::Tile, tile.serial}, {ObjectKind::TileType, tile.type}}};
+    });
+  }
+  typeless.close();
+}
+
+void placements(const Context& context, Faults& faults) {
+  const std::size_t most = context.options.mostOfAKind;
+  FaultList twice{faults, FaultKind::TileLaidTwice, Severity::Error, most};
+  FaultList unknown{faults, FaultKind::TileUnknown, Severity::Error, most};
+  FaultList nowhere{faults, FaultKind::PlaceNoNumber, Severity::Error, most};
+  Seen known;
+  known.reserve(context.site.tiles.size());
+  for (const Tile& tile : context.site.tiles) known.try_emplace(tile.serial, 0);
+  Seen seen;
+  seen.reserve(context.site.placements.size());
+  for (std::uint32_t i = 0; i < context.site.placements.size(); ++i) {
+    const Placement& p = context.site.placements[i];
+    const Box here{p.origin, p.origin};
+    const bool isSomewhere = isPlace(here);
+    const auto shown = isSomewhere ? std::optional{here} : std::nullopt;
+    const Fix takeUp{phrase("Core", "Take tile \"%1\" up").with(p.serial), TakeTileUp{p}};
+    const auto fault = [&](const Sentence& sentence) {
+      return Fault{.sentence = sentence, .objects = {{ObjectKind::Tile, p.serial}}, .fix = takeUp};
+    };
+    if (!isSomewhere)
+      nowhere.add({}, [&] {
+        return fault(
+            phrase("Core", "Tile \"%1\" has a place that is no number or farther than 1000 km from the site's origin.")
+                .with(p.serial));
+      });
+    if (!known.contains(p.serial))
+      unknown.add(shown, [&] {
+        return fault(phrase("Core", "Tile \"%1\" is laid, but no such tile is known.").with(p.serial));
+      });
+    const auto [first, isNew] = seen.try_emplace(p.serial, i);
+    if (isNew) continue;
+    const Point other = context.site.placements[first->second].origin;
+    const Box both = isPlace({other, other}) && isSomewhere ? boxAround(here, {other, other}) : here;
+    twice.add(isSomewhere ? std::optional{both} : std::nullopt, [&] {
+      return fault(phrase("Core", "Tile \"%1\" is laid twice: at %2 and at %3 m.")
+                       .with(p.serial, placeText(other), placeText(p.origin)));
+    });
+  }
+  twice.close();
+  unknown.close();
+  nowhere.close();
+}
+
+}  // namespace
+
+Faults checkTwins(const Context& context) {
+  Faults faults;
+  FaultList twice{faults, FaultKind::TileTwice, Severity::Error, context.options.mostOfAKind};
+  for (const auto& [first, later] : context.plan.twins()) {
+    const Tile& tile = context.site.tiles[later];
+    twice.add(boxOfTile(context, first), [&, same = context.site.tiles[first] == tile] {
+      Fault fault{.sentence = phrase("Core", "Two tiles have the serial number \"%1\".").with(tile.serial),
+                  .objects = {{ObjectKind::Tile, tile.serial}}};
+      if (same)
+        fault.fix = Fix{phrase("Core", "Forget the second entry of tile \"%1\", which is the same").with(tile.serial),
+                        ForgetTile{tile}};
+      return fault;
+    });
+  }
+  twice.close();
+  return faults;
+}
+
+Faults checkTileNames(const Context& context) {
+  Faults faults;
+  tileTypes(context, faults);
+  tiles(context, faults);
+  placements(context, faults);
+  return faults;
+}
+
+}  // namespace tessera::sitecheck

@@ -1,0 +1,38 @@
+// The single checks. Each is a pure function of the parts of a site that its row in site_checker.cpp names.
+#pragma once
+
+#include "sitecheck/fault.h"
+#include "sitecheck/floor_plan.h"
+#include "sitecheck/options.h"
+#include "sitecheck/zone_plan.h"
+
+namespace tessera::sitecheck {
+
+struct Context {
+  const floor::Site& site;
+  const CheckOptions& options;
+  const FloorPlan& plan;
+  const ZonePlan& zones;
+  const region::BoxTree& looseTags;  ///< finds indices into the site's loose tags
+};
+
+[[nodiscard]] Faults checkTileNames(const Context& context);
+[[nodiscard]] Faults checkTwins(const Context& context);
+[[nodiscard]] Faults checkUids(const Context& context);
+[[nodiscard]] Faults checkRegistration(const Context& context);
+[[nodiscard]] Faults checkLattice(const Context& context);
+[[nodiscard]] Faults checkZoneShapes(const Context& context);
+[[nodiscard]] Faults checkZoneStacking(const Context& context);
+[[nodiscard]] Faults checkReach(const Context& context);
+[[nodiscard]] Faults checkRouteNames(const Context& context);
+[[nodiscard]] Faults checkVehicles(const Context& context);
+[[nodiscard]] Faults checkStarts(const Context& context);
+[[nodiscard]] Faults checkRadio(const Context& context);
+[[nodiscard]] Faults checkEmpty(const Context& context);
+
+// Of one zone or route alone, by its index.
+[[nodiscard]] Faults checkGaps(const Context& context, std::size_t zone);
+[[nodiscard]] Faults checkRouteWay(const Context& context, std::size_t route);
+[[nodiscard]] Faults checkRouteTags(const Context& context, std::size_t route);
+
+}  // namespace tessera::sitecheck

@@ -1,0 +1,69 @@
+// An edit that mends a fault, described: the window names it, asks, and applies it as one step.
+#pragma once
+
+#include <variant>
+
+#include "base/sentence.h"
+#include "floor/site.h"
+
+namespace tessera::sitecheck {
+
+// Each names what it changes by name and by the value it had: an edit that was found for another state of the site does
+// nothing.
+
+struct MoveTile {
+  floor::Placement before;
+  Point origin;
+  bool operator==(const MoveTile&) const = default;
+};
+/// The tile is not laid there any more; it stays known.
+struct TakeTileUp {
+  floor::Placement placement;
+  bool operator==(const TakeTileUp&) const = default;
+};
+/// The second entry of a tile that is listed twice, both alike.
+struct ForgetTile {
+  floor::Tile tile;
+  bool operator==(const ForgetTile&) const = default;
+};
+struct ClearUid {
+  std::string serial;
+  std::size_t position = 0;  ///< in the tile's UIDs, from 0
+  floor::TagUid uid;
+  bool operator==(const ClearUid&) const = default;
+};
+struct ForgetLooseTag {
+  floor::LooseTag tag;
+  bool operator==(const ForgetLooseTag&) const = default;
+};
+struct ReplaceOutline {
+  std::string zone;
+  std::vector<Point> before;
+  std::vector<Point> after;
+  bool operator==(const ReplaceOutline&) const = default;
+};
+struct ReplaceVertices {
+  std::string route;
+  std::vector<Point> before;
+  std::vector<Point> after;
+  bool operator==(const ReplaceVertices&) const = default;
+};
+struct GiveAddress {
+  floor::VehicleSetup vehicle;  ///< as it is
+  VehicleId id;
+  bool operator==(const GiveAddress&) const = default;
+};
+
+using Edit = std::variant<MoveTile, TakeTileUp, ForgetTile, ClearUid, ForgetLooseTag, ReplaceOutline, ReplaceVertices,
+                          GiveAddress>;
+
+struct Fix {
+  Sentence sentence;  ///< an order: "Move tile "T-1" to (0.6, 1.2) m"
+  Edit edit;
+  bool operator==(const Fix&) const = default;
+};
+
+/// False: the site is no longer as it was when the edit was found; nothing has changed then.
+[[nodiscard]] bool mend(const Edit& edit, floor::Site& site);
+
+}  // namespace tessera::sitecheck

@@ -1,0 +1,26 @@
+#include "sitecheck/wording.h"
+
+#include <array>
+#include <cstdio>
+
+namespace tessera::sitecheck {
+
+std::string figure(double value, int decimals) {
+  std::array<char, 400> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, value == 0.0 ? 0.0 : value);
+  return text.data();
+}
+
+std::string placeText(Point p) { return "(" + inMetres(p.x) + ", " + inMetres(p.y) + ")"; }
+
+void FaultList::close() {
+  if (count_ <= most_) return;
+  into_.push_back({kind_,
+                   severity_,
+                   phrase("Core", "%1 more faults of this kind are not listed one by one.").with(count_ - most_),
+                   rest_,
+                   {},
+                   {}});
+}
+
+}  // namespace tessera::sitecheck

@@ -1,0 +1,133 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sitecheck/sites.h"
+
+namespace tessera::sitecheck {
+namespace {
+
+using floor::Site;
+using floor::ZoneKind;
+using testing::HasSubstr;
+
+Site withRoute(std::vector<Point> vertices) {
+  Site site = goodFloor();
+  site.routes = {{"r", std::move(vertices), Metres{0.2}}};
+  return site;
+}
+
+TEST(RouteFaults, noWayAtAllAndPointsTwiceInARow) {
+  EXPECT_EQ(faultsOf(withRoute({at(1, 1), at(1, 1)}), FaultKind::RouteTooShort).size(), 1U);
+  EXPECT_EQ(faultsOf(withRoute({}), FaultKind::RouteTooShort).size(), 1U);
+  Site site = withRoute({at(1, 1), at(1, 1), at(2, 1)});
+  const auto faults = faultsOf(site, FaultKind::RouteRepeatsPoint);
+  ASSERT_EQ(faults.size(), 1U);
+  ASSERT_TRUE(mend(faults[0].fix->edit, site));
+  EXPECT_EQ(site.routes[0].vertices.size(), 2U);
+  site.routes.push_back(site.routes[0]);
+  EXPECT_EQ(faultsOf(site, FaultKind::RouteTwice).size(), 1U);
+}
+
+TEST(RouteFaults, outOfTheRunningZone) {
+  const auto faults = faultsOf(withRoute({at(1, 1), at(4, 1), at(4, 2), at(1, 2)}), FaultKind::RouteLeavesRunningZone);
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_THAT(faults[0].sentence.english(), HasSubstr("3.00 m"));
+  EXPECT_NEAR(faults[0].place->low.x.value(), 3.0, 0.01);
+  EXPECT_TRUE(faultsOf(withRoute({at(0, 0), at(3, 0)}), FaultKind::RouteLeavesRunningZone).empty()) << "along its edge";
+}
+
+TEST(RouteFaults, twoZonesDrawnToOneLineAreOneFloor) {
+  Site site = withRoute({at(0.5, 1), at(2.5, 1)});
+  site.zones = {zone("west", ZoneKind::Running, rectangle(0, 0, 1.5, 2.4)),
+                zone("east", ZoneKind::Storage, rectangle(1.5, 0, 3, 2.4))};
+  EXPECT_EQ(listOf(checkSite(site).faults()), "");
+}
+
+TEST(RouteFaults, throughNoGo) {
+  Site site = withRoute({at(0.5, 1), at(2.5, 1)});
+  site.zones.push_back(zone("pit", ZoneKind::NoGo, rectangle(1, 0.9, 1.5, 1.1)));
+  const auto faults = faultsOf(site, FaultKind::RouteCrossesNoGo);
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_THAT(faults[0].sentence.english(), HasSubstr("\"pit\""));
+  EXPECT_EQ(faults[0].objects.size(), 2U);
+  EXPECT_TRUE(faultsOf(site, FaultKind::RouteLeavesRunningZone).empty()) << "told once";
+}
+
+TEST(RouteFaults, againstAOneWayZone) {
+  Site site = withRoute({at(0.5, 1), at(2.5, 1)});
+  site.zones.push_back(zone("lane", ZoneKind::OneWay, rectangle(1, 0.5, 2, 1.5)));
+  for (const double way : {0.0, 89.0, 90.0, -90.0}) {
+    site.zones[1].direction = fromDegrees(way);
+    EXPECT_TRUE(faultsOf(site, FaultKind::RouteAgainstOneWay).empty()) << way;
+  }
+  for (const double way : {91.0, 180.0, -120.0}) {
+    site.zones[1].direction = fromDegrees(way);
+    const auto faults = faultsOf(site, FaultKind::RouteAgainstOneWay);
+    ASSERT_EQ(faults.size(), 1U) << way;
+    EXPECT_THAT(faults[0].sentence.english(), HasSubstr("1.00 m the wrong way"));
+  }
+}
+
+TEST(RouteFaults, tooCloseForTheVehiclesOutline) {
+  EXPECT_TRUE(faultsOf(withRoute({at(0.5, 0.19), at(2.5, 0.19)}), FaultKind::RouteTooClose).empty());
+  const auto beside = faultsOf(withRoute({at(0.5, 0.1), at(2.5, 0.1)}), FaultKind::RouteTooClose);
+  ASSERT_EQ(beside.size(), 1U);
+  EXPECT_THAT(beside[0].sentence.english(), HasSubstr("\"AGV 1\""));
+  EXPECT_NEAR(beside[0].place->low.y.value(), -0.08, 0.005);
+  // Its corners reach out to 0.269 m where it turns on the spot, though along both legs there is room.
+  EXPECT_EQ(faultsOf(withRoute({at(1, 0.25), at(2, 0.25), at(2, 1)}), FaultKind::RouteTooClose).size(), 1U);
+  EXPECT_TRUE(faultsOf(withRoute({at(1, 0.28), at(2, 0.28), at(2, 1)}), FaultKind::RouteTooClose).empty());
+  Site site = withRoute({at(0.5, 1), at(2.5, 1)});
+  site.zones.push_back(zone("wall", ZoneKind::NoGo, rectangle(1, 1.1, 2, 2)));
+  EXPECT_EQ(faultsOf(site, FaultKind::RouteTooClose).size(), 1U);
+  site.zones.erase(site.zones.begin());
+  EXPECT_EQ(faultsOf(site, FaultKind::RouteTooClose).size(), 1U) << "without a running zone, no-go still counts";
+}
+
+TEST(RouteFaults, bendsFasterThanTheVehicleTurns) {
+  const auto arc = [](double radius) {
+    std::vector<Point> points;
+    for (int i = 0; i <= 8; ++i)
+      points.push_back(at(1 + radius * std::sin(i * 0.1), 1 + radius * (1 - std::cos(i * 0.1))));
+    return points;
+  };
+  // 0.5 m/s and 1.5 rad/s: a radius of 0.33 m.
+  EXPECT_EQ(faultsOf(withRoute(arc(0.30)), FaultKind::RouteTooTight).size(), 1U);
+  EXPECT_TRUE(faultsOf(withRoute(arc(0.37)), FaultKind::RouteTooTight).empty());
+  EXPECT_TRUE(faultsOf(withRoute({at(1, 1), at(1.1, 1), at(1.1, 1.1)}), FaultKind::RouteTooTight).empty())
+      << "at a sharp corner it stops and turns on the spot";
+}
+
+TEST(RouteFaults, tooLongWithoutATag) {
+  Site site = withRoute({at(0.3, 1.5), at(2.7, 1.5)});
+  EXPECT_TRUE(faultsOf(site, FaultKind::RouteWithoutTags).empty());
+  site.tiles[11].uids.clear();
+  EXPECT_TRUE(faultsOf(site, FaultKind::RouteWithoutTags).empty()) << "one tile is bridged";
+  for (const std::size_t tile : {12U, 13U}) site.tiles[tile].uids.clear();
+  const auto faults = faultsOf(site, FaultKind::RouteWithoutTags);
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_GT(faults[0].place->high.x - faults[0].place->low.x, Metres{1.5});
+  site.looseTags = {{floor::TagUid::parse("04AABBCC").value(), at(1.5, 1.5)}};
+  EXPECT_TRUE(faultsOf(site, FaultKind::RouteWithoutTags).empty()) << "a loose tag halfway";
+  CheckOptions strict;
+  strict.longestBlind = Metres{0.5};
+  EXPECT_GT(checkSite(site, strict).size(), checkSite(site).size());
+}
+
+TEST(RouteFaults, aReaderSeesWhatPassesUnderIt) {
+  Site site;
+  site.vehicles = goodFloor().vehicles;
+  site.vehicles[0].readers = {{Metres{0.1}, Metres{0.05}}};
+  site.vehicles[0].readerRadius = Metres{0.06};
+  site.routes = {{"r", {at(0, 0), at(0, 4)}, Metres{0.2}}};
+  // Left of a way upwards is -x; one metre apart, beside the reader by 5 cm or by 7 cm.
+  for (const double aside : {0.05, 0.07}) {
+    site.looseTags.clear();
+    for (int i = 0; i <= 4; ++i)
+      site.looseTags.push_back({floor::TagUid::parse("0400000" + std::to_string(i)).value(), at(-0.05 + aside, i)});
+    EXPECT_EQ(faultsOf(site, FaultKind::RouteWithoutTags).empty(), aside < 0.06) << aside;
+  }
+}
+
+}  // namespace
+}  // namespace tessera::sitecheck
