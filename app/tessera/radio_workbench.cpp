@@ -1,5 +1,7 @@
 #include "app/tessera/radio_workbench.h"
 
+#include <utility>
+
 #include "host/supervisor_thread.h"
 #include "ui/base/wording.h"
 
@@ -14,7 +16,10 @@ RadioWorkbench::RadioWorkbench(FleetSession& session, const ui::ConnectionChoice
   if (simulated_) session_.tellWorld("jumpers 1 1");
   module_ = std::make_unique<host::RadioModule>(port);
   connect(module_.get(), &host::RadioModule::found, this, [this](const link::E32Parameters& parameters) {
-    findings_.module = parameters;
+    if (std::exchange(writing_, false))
+      findings_.moduleChanged(parameters);
+    else
+      findings_.module = parameters;
     Q_EMIT found(parameters);
   });
   connect(module_.get(), &host::RadioModule::failed, this,
@@ -29,8 +34,12 @@ RadioWorkbench::~RadioWorkbench() {
 
 void RadioWorkbench::read() { module_->read(); }
 
-void RadioWorkbench::write(const link::E32Parameters& parameters) { module_->write(parameters); }
+void RadioWorkbench::write(const link::E32Parameters& parameters) {
+  writing_ = true;
+  module_->write(parameters);
+}
 
+// It may have been written all the same; what it holds now is told by the next read.
 void RadioWorkbench::cancel() { module_->cancel(); }
 
 QStringList RadioWorkbench::advice() const {
@@ -42,7 +51,8 @@ QStringList RadioWorkbench::advice() const {
 void RadioWorkbench::look(const supervisor::Snapshot* snapshot) {
   if (snapshot == nullptr) return;
   findings_.listened = session_.liveFor();
-  findings_.damaged = snapshot->channel.damaged + snapshot->channel.skippedBytes;
+  findings_.damaged = snapshot->channel.noiseSinceHeard;
+  findings_.foreign = snapshot->channel.foreignSinceHeard;
   for (const auto& vehicle : snapshot->vehicles) {
     findings_.wrongKey = findings_.wrongKey || vehicle.contact == supervisor::Contact::Refused;
     if (vehicle.link.lastHeard && (!findings_.lastHeard || vehicle.link.age < *findings_.lastHeard))

@@ -34,6 +34,7 @@ private:
   bool simulated_;
   std::unique_ptr<host::RadioModule> module_;
   link::RadioFindings findings_;
+  bool writing_ = false;  ///< the next parameters found are new ones
 };
 
 }  // namespace tessera::desktop

@@ -86,6 +86,13 @@ std::vector<Sentence> differencesFromSite(const E32Parameters& module, const E32
   return found;
 }
 
+void RadioFindings::moduleChanged(const E32Parameters& now) {
+  RadioFindings anew;
+  anew.site = site;
+  anew.module = now;
+  *this = anew;
+}
+
 std::vector<Sentence> radioAdvice(const RadioFindings& f) {
   std::vector<Sentence> advice;
   if (f.module) advice = differencesFromSite(*f.module, f.site);

@@ -20,6 +20,9 @@ struct RadioFindings {
   std::uint32_t damaged = 0;            ///< since then: bytes that are no frames, and frames with a wrong checksum
   std::uint32_t foreign = 0;            ///< since then: whole frames of vehicles that the site does not have
   bool wrongKey = false;                ///< a vehicle answers with another key than the site's
+
+  /// The module was set anew and holds this now: what was heard before says nothing any more.
+  void moduleChanged(const E32Parameters& now);
 };
 
 /// Empty: nothing is wrong as far as can be told. Where the module differs from the site, a sentence for each

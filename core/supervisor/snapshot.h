@@ -119,6 +119,9 @@ struct ChannelView {
   std::uint32_t frames = 0;
   std::uint32_t damaged = 0;
   std::uint32_t skippedBytes = 0;
+  // Since the last good report of any vehicle; what was heard before it did not keep the two apart.
+  std::uint32_t noiseSinceHeard = 0;    ///< bytes that are no frames, and frames with a wrong checksum
+  std::uint32_t foreignSinceHeard = 0;  ///< whole frames of vehicles that the site does not have
 };
 
 struct Snapshot {

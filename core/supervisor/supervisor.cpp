@@ -25,6 +25,8 @@ struct Supervisor::Impl {
   Episode portLost;
   Episode damaged{Seconds{5.0}};
   Episode strangers{Seconds{5.0}};
+  std::uint32_t noiseSinceHeard = 0;
+  std::uint32_t foreignSinceHeard = 0;
   Seconds nextSnapshot{-std::numeric_limits<double>::infinity()};
 
   VehicleAgent* agent(VehicleId id);
@@ -202,6 +204,7 @@ void Supervisor::Impl::hear(const link::LinkEvent& event, Seconds now) {
         } else {
           VehicleAgent* a = agent(e.vehicle);
           if (a == nullptr) return;
+          if constexpr (std::is_same_v<E, link::Reported>) noiseSinceHeard = foreignSinceHeard = 0;
           if constexpr (std::is_same_v<E, link::Answered>)
             log.tellAnswer(e.value ? Severity::Info : Severity::Warning, e.vehicle, answerSentence(a->name(), e),
                            {e.request, e.value});
@@ -219,6 +222,8 @@ void Supervisor::Impl::hear(const link::LinkEvent& event, Seconds now) {
 }
 
 void Supervisor::Impl::hearNoise(const link::Noise& noise, Seconds now) {
+  noiseSinceHeard += noise.damaged + noise.skipped;
+  foreignSinceHeard += noise.foreign;
   const bool bad = noise.damaged > 0 || noise.skipped > 0;
   if (bad && damaged.seen(now, std::max(noise.damaged, 1U)) == Episode::Change::Begins)
     log.tell(
@@ -249,7 +254,8 @@ std::shared_ptr<const Snapshot> Supervisor::Impl::picture(Seconds now) const {
   const link::AirTiming& timing = channel.timing();
   snapshot->channel = {channel.cyclePeriod(),     Seconds{timing.slotUnits() * wire::kSlotUnitMs / 1000.0},
                        timing.factor(),           channel.counters().frames,
-                       channel.counters().badCrc, channel.counters().skipped};
+                       channel.counters().badCrc, channel.counters().skipped,
+                       noiseSinceHeard,           foreignSinceHeard};
   for (const VehicleAgent& agent : agents)
     snapshot->vehicles.push_back(agent.view(now, port, channel.peer(agent.id())->quality));
   return snapshot;

@@ -71,6 +71,16 @@ TEST_F(RadioAdviceTest, looksAtTheVehiclesWhereTheModuleMatches) {
                                    "vehicles' channel, their power, the aerials."));
 }
 
+TEST_F(RadioAdviceTest, forgetsWhatWasHeardBeforeTheModuleWasSetAnew) {
+  f.damaged = f.foreign = 500;
+  f.wrongKey = true;
+  ASSERT_FALSE(said(f).empty());
+  f.moduleChanged(f.site);
+  EXPECT_THAT(said(f), IsEmpty());
+  f.listened = Seconds{30};
+  EXPECT_THAT(said(f), ElementsAre(HasSubstr("Nothing is heard of any vehicle"))) << "noise is no longer the reason";
+}
+
 TEST_F(RadioAdviceTest, asksToReadTheModuleFirst) {
   EXPECT_THAT(said(f), ElementsAre(HasSubstr("read the module's parameters")));
 }

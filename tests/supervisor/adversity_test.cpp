@@ -142,6 +142,19 @@ TEST_F(Adversity, garbageMakesNoStormOfEvents) {
   EXPECT_LT(rig.events.size() - before, 8U);
 }
 
+TEST_F(Adversity, noiseCountsUntilAVehicleIsHeard) {
+  rig.vehicle(1).fake.on = false;
+  rig.run(Seconds{3});
+  rig.air->inject(std::vector<std::uint8_t>(100, 0x11), rig.air->now);
+  rig.run(Seconds{1});
+  EXPECT_GE(rig.last->channel.noiseSinceHeard, 90U);
+  rig.vehicle(1).fake.on = true;
+  rig.run(Seconds{6});
+  ASSERT_EQ(rig.view(1).contact, Contact::Connected);
+  EXPECT_EQ(rig.last->channel.noiseSinceHeard, 0U);
+  EXPECT_GE(rig.last->channel.skippedBytes, 90U) << "the whole is still known";
+}
+
 TEST_F(Adversity, aRefusedCommandIsToldByTheVehicleOnce) {
   rig.vehicle(1).fake.report.faults = wire::kFaultReplayed;
   rig.run(Seconds{2});
