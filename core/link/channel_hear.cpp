@@ -19,8 +19,8 @@ Overloaded(Ts...) -> Overloaded<Ts...>;
 
 void Channel::ingest(wire::Bytes bytes, Seconds now) {
   if (bytes.empty() || !open_) return;
-  // What has waited too long for its rest is looked through before the new bytes are taken.
-  if (decoder_.pending() && now >= staleAt()) decoder_.flush([this](const wire::Frame& f) { hear(f); });
+  // Half a frame is not given up here, however late its rest comes: it may have waited in the port for us. poll() does
+  // that, after whoever drives this has looked into the port.
   lastByte_ = now;
   decoder_.feed(bytes, [this](const wire::Frame& f) { hear(f); });
 }

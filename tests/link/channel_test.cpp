@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -187,6 +188,26 @@ TEST(Channel, saysNothingOfTheHalfFrameThatALostPortLeaves) {
   rig.run(Seconds{2});
   EXPECT_EQ(rig.count<Noise>(), 0U);
   EXPECT_TRUE(rig.connected());
+}
+
+// On a machine that had other things to do the rest of a frame waits in the port, and is old when it is read.
+TEST(Channel, takesTheRestOfAFrameHoweverLateItIsRead) {
+  ChannelRig rig{1};
+  rig.drive(1);
+  ASSERT_TRUE(rig.runUntil([&] { return rig.count<Reported>() > 3; }, Seconds{3}));
+  const std::size_t before = rig.count<Reported>();
+  bool split = false;
+  rig.host.ingest = [&](wire::Bytes bytes, Seconds t) {
+    rig.channel->ingest(bytes.first(5), t);
+    rig.channel->ingest(bytes.subspan(5), t + Seconds{0.2});
+    split = true;
+  };
+  ASSERT_TRUE(rig.runUntil([&] { return split; }, Seconds{1}));
+  const auto out = rig.channel->poll(rig.air->now + Seconds{0.2});
+  EXPECT_EQ(rig.count<Reported>() + static_cast<std::size_t>(std::count_if(
+                                        out.events.begin(), out.events.end(),
+                                        [](const auto& e) { return std::holds_alternative<Reported>(e); })),
+            before + 1);
 }
 
 TEST(Channel, findsTheFrameBehindAFalseStart) {
