@@ -106,6 +106,10 @@ def main():
     missing = [(case, r["error"]) for case, r in results.items() if "error" in r]
     for (speed, seed), error in missing:
         print(f"The run at {speed:g} m/s with seed {seed} gave no summary: {error}", file=sys.stderr)
+    troubled = sum(bool(r.get("world_complaints")) for r in results.values())
+    if troubled:
+        print(f"The machine did not keep step in {troubled} of {len(cases)} runs: this table is worth nothing. Take fewer"
+              " --jobs.")
     late = sum(not r["finished"] for r in results.values() if "error" not in r)
     if late and not arguments.baseline:
         print(f"{late} of {len(cases)} runs did not reach the end of their routes.", file=sys.stderr)

@@ -95,8 +95,12 @@ Result<RunEnd> runLockstep(const Plan& plan, const ExperimentWords& words, exper
 
 // A run in real time over a pty: the world in a process of its own.
 Result<RunEnd> runThroughPty(const Plan& plan, const ExperimentWords& words, experiment::Recorder& recorder,
-                             ProgressLine& progress) {
+                             ProgressLine& progress, std::vector<std::string>& complaints) {
   process::WorldProcess process;
+  QObject::connect(&process, &process::WorldProcess::complained, [&](const QString& line) {
+    complaints.push_back(line.toStdString());
+    static_cast<void>(complain(line.toStdString(), kDone));
+  });
   progress.note("Setting the simulated world up: each vehicle calibrates its compass.");
   if (auto started = process.start(world::worldArguments(words.world)); !started) {
     return tl::unexpected{started.error()};
@@ -129,7 +133,8 @@ nlohmann::json optionsOf(const ExperimentWords& words, const Plan& plan) {
   return options;
 }
 
-int conclude(const ExperimentWords& words, const Plan& plan, const experiment::Recorder& recorder, RunEnd end) {
+int conclude(const ExperimentWords& words, const Plan& plan, const experiment::Recorder& recorder,
+             const std::vector<std::string>& complaints, RunEnd end) {
   std::vector<experiment::TruthTrack> truths;
   for (const auto& assignment : plan.assignments) {
     auto truth = experiment::readTruth(words.world.truth, assignment.vehicle.value);
@@ -137,7 +142,9 @@ int conclude(const ExperimentWords& words, const Plan& plan, const experiment::R
     truths.push_back(std::move(*truth));
   }
   const auto outcomes = experiment::judge(*plan.map, recorder, truths, plan.speed);
-  const nlohmann::json summary = experiment::summarise(optionsOf(words, plan), outcomes, recorder);
+  nlohmann::json summary = experiment::summarise(optionsOf(words, plan), outcomes, recorder);
+  // Figures of a world that could not keep step are worth nothing.
+  summary["world_complaints"] = complaints;
   if (auto written = experiment::writeReport(words.out, summary, outcomes); !written) {
     return complain(written.error().sentence, kCannotWrite);
   }
@@ -169,14 +176,15 @@ int experimentMain(ExperimentWords words) {
   words.world.truth = words.out + "/truth.csv";
 
   experiment::Recorder recorder{plan->assignments};
+  std::vector<std::string> complaints;
   Result<RunEnd> end = RunEnd::TimeUp;
   {
     ProgressLine progress{words.quiet || words.json};
     end = words.lockstep ? runLockstep(*plan, words, recorder, progress)
-                         : runThroughPty(*plan, words, recorder, progress);
+                         : runThroughPty(*plan, words, recorder, progress, complaints);
   }
   if (!end) return complain(end.error().sentence, kNoPort);
-  return conclude(words, *plan, recorder, *end);
+  return conclude(words, *plan, recorder, complaints, *end);
 }
 
 }  // namespace

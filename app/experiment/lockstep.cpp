@@ -5,7 +5,7 @@ namespace {
 
 // The world's own step; bytes reach the other side at most this much later than they would.
 constexpr Seconds kStep{0.001};
-constexpr const char* kPort = "the simulated radio";
+constexpr const char* kPort = "in memory";
 
 }  // namespace
 

@@ -10,6 +10,7 @@ namespace {
 // An emulator takes 0.1 s to start and calibrating a compass a few seconds more; a busy machine takes longer.
 constexpr int kStartMs = 120'000;
 constexpr int kEndMs = 5'000;
+constexpr int kMostSaid = 1000;  // characters of what it said that a sentence repeats
 
 // Beside this program, or where a build tree keeps programs apart from tests.
 QString worldProgram() {
@@ -28,6 +29,7 @@ void WorldProcess::begin(const std::vector<std::string>& arguments) {
   process_.setProcessChannelMode(QProcess::SeparateChannels);
   // Whatever it prints must be taken, or it blocks on a full pipe.
   connect(&process_, &QProcess::readyReadStandardOutput, this, &WorldProcess::takeOutput);
+  connect(&process_, &QProcess::readyReadStandardError, this, &WorldProcess::takeComplaints);
   connect(&process_, &QProcess::errorOccurred, this, [this, program](QProcess::ProcessError error) {
     if (error != QProcess::FailedToStart) return;
     fail(QStringLiteral("The simulated world %1 could not be started: %2.").arg(program, process_.errorString()));
@@ -84,9 +86,17 @@ void WorldProcess::fail(const QString& sentence) {
   Q_EMIT died(sentence);
 }
 
+void WorldProcess::takeComplaints() {
+  const QStringList lines = QString::fromUtf8(process_.readAllStandardError()).split(u'\n', Qt::SkipEmptyParts);
+  for (const QString& line : lines) {
+    said_ = (said_ + line.trimmed() + u' ').right(kMostSaid);
+    Q_EMIT complained(line.trimmed());
+  }
+}
+
 QString WorldProcess::complaint() {
-  const QString said = QString::fromUtf8(process_.readAllStandardError()).trimmed();
-  return said.isEmpty() ? QStringLiteral("nothing") : said;
+  takeComplaints();
+  return said_.isEmpty() ? QStringLiteral("nothing") : said_.trimmed();
 }
 
 }  // namespace tessera::process

@@ -35,15 +35,19 @@ Q_SIGNALS:
   void ready(const QString& port);
   /// It could not be started, or ended although nobody asked it to; once.
   void died(const QString& sentence);
+  /// A line of complaint while it runs: that the machine does not keep up, that a vehicle has ended.
+  void complained(const QString& line);
 
 private:
   void takeOutput();
   void fail(const QString& sentence);
+  void takeComplaints();
   [[nodiscard]] QString complaint();
 
   QProcess process_;
   std::string port_;
   QString failure_;
+  QString said_;  ///< the last of its complaints
   bool stopping_ = false;
 };
 
