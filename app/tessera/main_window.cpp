@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QFile>
 #include <QLabel>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -17,6 +18,7 @@
 #include "app/tessera/window_panels.h"
 #include "ui/canvas/floor_canvas.h"
 #include "ui/connect/start_page.h"
+#include "ui/fleet/run_panel.h"
 #include "ui/fleet/stop_all.h"
 #include "ui/help/help_topic.h"
 #include "ui/help/help_window.h"
@@ -33,11 +35,11 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow{parent} {
   actions_ = new WindowActions{*this, document_.undoStack()};
   buildCentre();
   panels_ = new WindowPanels{*this, *session_, selection_, document_};
-  auto* spacer = new QWidget;
-  spacer->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-  actions_->toolBar().addWidget(spacer);
+  actions_->addOrders(*this, panels_->run->actions());
+  // In the menu bar's corner: a tool bar hides what it has no room for.
+  menuBar()->setNativeMenuBar(false);
   stopAll_ = new ui::StopAllButton{*session_};
-  actions_->toolBar().addWidget(stopAll_);
+  menuBar()->setCornerWidget(stopAll_, Qt::TopRightCorner);
   stopAllKey_ = new ui::StopAllKey{*session_, this};
   buildStatusBar();
   joinSite();

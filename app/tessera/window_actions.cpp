@@ -102,10 +102,17 @@ void WindowActions::fillMenus(QMainWindow& window) {
   for (QMenu* menu : {site_, edit_, view_, vehicle_, connection_, help_}) window.addActions(menu->actions());
 }
 
+// In the menu as well: their panel may be closed, and its keys with it.
+void WindowActions::addOrders(QMainWindow& window, const QList<QAction*>& orders) {
+  vehicle_->insertActions(commission, orders);
+  vehicle_->insertSeparator(commission);
+  window.addActions(orders);
+}
+
 void WindowActions::fillToolBar(QMainWindow& window) {
   toolBar_ = window.addToolBar(QString{});
   toolBar_->setObjectName(QStringLiteral("mainToolBar"));
-  toolBar_->setMovable(false);  // the stop button at its end is always at the same place
+  toolBar_->setMovable(false);
   toolBar_->setContextMenuPolicy(Qt::PreventContextMenu);
   toolBar_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   toolBar_->addActions({open, save});

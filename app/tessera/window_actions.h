@@ -32,6 +32,8 @@ public:
   QActionGroup *languages, *appearances;
 
   [[nodiscard]] QToolBar& toolBar() { return *toolBar_; }
+  /// What a vehicle is told to do, for the vehicle's menu.
+  void addOrders(QMainWindow& window, const QList<QAction*>& orders);
   void retranslate();
   /// The tool has steps of its own to undo and redo.
   void allowSteps(bool inTool);

@@ -1,4 +1,5 @@
 // The words of menus and tool bar, set again whenever the language changes.
+#include <QRegularExpression>
 #include <QToolBar>
 #include <QToolButton>
 #include <QUndoStack>
@@ -58,11 +59,15 @@ void WindowActions::retranslate() {
       tr("Keep the chosen vehicle in view (%1)").arg(follow->shortcut().toString(QKeySequence::NativeText)));
   drawRoute->setToolTip(
       tr("Click the route's vertices on the floor (%1)").arg(drawRoute->shortcut().toString(QKeySequence::NativeText)));
+  // Buttons have no letter to press: the menus have, and one letter must not mean two things.
+  static const QRegularExpression letter{QStringLiteral("\\(&.\\)|&")};
+  for (QAction* action : {browse, editRoutes, drawRoute, connectPort, disconnectPort})
+    action->setIconText(QString{action->text()}.remove(letter));
   // What everybody knows by its picture needs no word beside it.
   for (QAction* action : {open, save, undo, redo, zoomIn, zoomOut, fit, follow}) {
     if (auto* button = qobject_cast<QToolButton*>(toolBar_->widgetForAction(action))) {
       button->setToolButtonStyle(Qt::ToolButtonIconOnly);
-      button->setAccessibleName(QString{action->text()}.remove('&'));
+      button->setAccessibleName(QString{action->text()}.remove(letter));
     }
   }
 }

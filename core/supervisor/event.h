@@ -36,6 +36,7 @@ enum class EventKind {
   UnknownTag,      ///< a UID that no tile of the site has
   RouteStarted,
   RouteFinished,
+  StoppedAll,    ///< StopAll was ordered
   RouteStopped,  ///< given up by Stop or StopAll
   DrivenByHand,
   Paused,

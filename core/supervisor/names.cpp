@@ -61,6 +61,8 @@ std::string_view nameOf(EventKind kind) {
       return "route-started";
     case EventKind::RouteFinished:
       return "route-finished";
+    case EventKind::StoppedAll:
+      return "stopped-all";
     case EventKind::RouteStopped:
       return "route-stopped";
     case EventKind::DrivenByHand:

@@ -176,7 +176,8 @@ Sentence VehicleAgent::waitReason(Seconds now, const PortView& port) const {
     case wire::VehicleState::Obstacle:
       if ((report.faults & wire::kFaultRanger) != 0)
         return phrase("Core", "%1 waits: one of its rangers does not answer.").with(name_);
-      if (report.range == 255) return phrase("Core", "%1 waits: an obstacle stood before it.").with(name_);
+      if (report.range >= wire::kFarthestRange)
+        return phrase("Core", "%1 waits: an obstacle stood before it.").with(name_);
       return phrase("Core", "%1 waits: an obstacle stands %2 cm before it.").with(name_, report.range);
     default:
       break;
@@ -213,7 +214,7 @@ VehicleView VehicleAgent::view(Seconds now, const PortView& port, const link::Li
     v.headingBias = estimate_.headingBias;
     v.readersAnswering = report.readers;
     v.batteryVolts = report.battery / 10.0;
-    if (report.range != 255) v.obstacle = Metres{report.range / 100.0};
+    if (report.range < wire::kFarthestRange) v.obstacle = Metres{report.range / 100.0};
   }
   v.link = {quality.lastHeard, quality.lastHeard ? now - *quality.lastHeard : now,
             quality.roundTrip, quality.loss,

@@ -125,6 +125,8 @@ struct TagEvent {
 }
 [[nodiscard]] constexpr std::size_t wireSize(const TagEvent& e) { return 2 + uidLength(e.kind); }
 
+inline constexpr std::uint8_t kFarthestRange = 254;  ///< cm
+
 /// Body of Report (session key): 19 bytes and the tag events that fit.
 struct Report {
   static constexpr std::size_t kFixedSize = 19;
@@ -140,7 +142,7 @@ struct Report {
   std::uint16_t travel = 0;     ///< mm travelled, forwards minus backwards, modulo 65536
   std::uint16_t bearing = 0;    ///< 1/65536 turn, clockwise from north
   std::uint8_t battery = 0;     ///< 0.1 V
-  std::uint8_t range = 255;     ///< cm to the nearest obstacle, 255 = none seen
+  std::uint8_t range = 255;     ///< cm to the nearest obstacle; kFarthestRange = so far or farther, 255 = none seen
   std::uint8_t readers = 0;     ///< bit i: reader i answers
   std::uint8_t firstEvent = 0;  ///< number of events[0]; the others follow it, modulo 256
   std::uint8_t eventCount = 0;

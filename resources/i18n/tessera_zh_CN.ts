@@ -1055,6 +1055,10 @@
         <source>%1 more faults of this kind are not listed one by one.</source>
         <translation>另有 %1 个同类问题未逐一列出。</translation>
     </message>
+    <message>
+        <source>All vehicles were told to stop.</source>
+        <translation>已命令所有车辆停车。</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>
@@ -3342,20 +3346,12 @@ x %2 m，y %3 m</translation>
         <translation>路径的顶点</translation>
     </message>
     <message>
-        <source>&amp;Control points every</source>
-        <translation>控制点间距(&amp;C)</translation>
-    </message>
-    <message>
         <source> m</source>
         <translation> m</translation>
     </message>
     <message>
         <source>Distance of the points that the vehicle is led to, one after the other</source>
         <translation>引导车辆依次到达的各控制点之间的距离</translation>
-    </message>
-    <message>
-        <source>At a &amp;speed of</source>
-        <translation>行驶速度(&amp;S)</translation>
     </message>
     <message>
         <source> m/s</source>
@@ -3372,6 +3368,14 @@ x %2 m，y %3 m</translation>
     <message>
         <source>Length divided by speed; turning at corners comes on top.</source>
         <translation>长度除以速度；拐角处的转向时间另计。</translation>
+    </message>
+    <message>
+        <source>Control points every</source>
+        <translation>控制点间距</translation>
+    </message>
+    <message>
+        <source>Time when driven at</source>
+        <translation>按此速度估算时间</translation>
     </message>
 </context>
 <context>
@@ -3563,10 +3567,6 @@ x %2 m，y %3 m</translation>
         <translation>在场地上绘制路径。</translation>
     </message>
     <message>
-        <source>Sp&amp;eed:</source>
-        <translation>速度(&amp;E)：</translation>
-    </message>
-    <message>
         <source> m/s</source>
         <translation> m/s</translation>
     </message>
@@ -3589,6 +3589,10 @@ x %2 m，y %3 m</translation>
     <message>
         <source>&amp;Clear faults</source>
         <translation>清除故障(&amp;C)</translation>
+    </message>
+    <message>
+        <source>S&amp;peed:</source>
+        <translation>速度(&amp;P)：</translation>
     </message>
 </context>
 <context>
@@ -3765,10 +3769,6 @@ x %2 m，y %3 m</translation>
         <translation>演示场地(&amp;D)</translation>
     </message>
     <message>
-        <source>A simulated floor on which a vehicle drives at once. Nothing to plug in.</source>
-        <translation>仿真场地，车辆立即开始行驶，无需连接任何设备。</translation>
-    </message>
-    <message>
         <source>&amp;New site</source>
         <translation>新建场地(&amp;N)</translation>
     </message>
@@ -3783,6 +3783,10 @@ x %2 m，y %3 m</translation>
     <message>
         <source>Open a site that was saved before (*.tessera.json).</source>
         <translation>打开已保存的场地 (*.tessera.json)。</translation>
+    </message>
+    <message>
+        <source>A simulated floor with a vehicle to drive. Nothing to plug in.</source>
+        <translation>带有一辆可驾驶车辆的仿真场地，无需连接任何设备。</translation>
     </message>
 </context>
 <context>

@@ -210,7 +210,9 @@ void paintObstacle(QPainter& painter, const View& view, const CanvasTheme& theme
     front = std::max(front, QPointF::dotProduct(p - at, nose));
   const double reach = std::clamp(view.pixels(Metres{0.18}), 6.0, 40.0);
   const QPointF middle = at + nose * (front + view.pixels(*mark.vehicle->obstacle));
-  painter.setPen(QPen{theme.fault, 3.0, Qt::SolidLine, Qt::RoundCap});
+  // Something ahead is no alarm by itself; that it keeps the vehicle waiting is.
+  const bool waits = mark.look == VehicleLook::Obstacle;
+  painter.setPen(QPen{waits ? theme.fault : theme.quietText, waits ? 3.0 : 2.0, Qt::SolidLine, Qt::RoundCap});
   painter.drawLine(middle - side * reach, middle + side * reach);
 }
 

@@ -28,16 +28,16 @@ TimeChart::TimeChart(QWidget* parent)
   setAutoAddPlottableToLegend(false);
   plotLayout()->clear();
   // Titles lie above the axes: beside them they would be cut off where the panel is low.
-  auto* heading = new QCPLayoutGrid;
+  heading_ = new QCPLayoutGrid;
   plotLayout()->addElement(0, 0, errorTitle_);
   plotLayout()->addElement(1, 0, error_);
-  plotLayout()->addElement(2, 0, heading);
+  plotLayout()->addElement(2, 0, heading_);
   plotLayout()->addElement(3, 0, pace_);
   plotLayout()->setRowSpacing(0);
-  heading->addElement(0, 0, paceTitle_);
-  heading->addElement(0, 1, paceLegend_);
-  heading->setColumnStretchFactor(1, 0.001);
-  heading->setMargins(QMargins{0, 0, 12, 0});
+  heading_->addElement(0, 0, paceTitle_);
+  heading_->addElement(0, 1, paceLegend_);
+  heading_->setColumnStretchFactor(1, 0.001);
+  heading_->setMargins(QMargins{0, 0, 12, 0});
   for (const int row : {0, 2}) plotLayout()->setRowStretchFactor(row, 0.001);
   for (QCPTextElement* title : {errorTitle_, paceTitle_}) {
     title->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
@@ -71,6 +71,28 @@ TimeChart::TimeChart(QWidget* parent)
   reported_->addToLegend(paceLegend_);
   buildBand();
   buildCrosshair();
+}
+
+// One above the other where there is height for both, else side by side.
+void TimeChart::arrange() {
+  const int line = fontMetrics().height();
+  const bool low = height() < 18 * line && width() > 30 * line;
+  if (low == low_) return;
+  low_ = low;
+  plotLayout()->take(heading_);
+  plotLayout()->take(pace_);
+  plotLayout()->simplify();
+  plotLayout()->addElement(low ? 0 : 2, low ? 1 : 0, heading_);
+  plotLayout()->addElement(low ? 1 : 3, low ? 1 : 0, pace_);
+  for (int row = 0; row < plotLayout()->rowCount(); ++row)
+    plotLayout()->setRowStretchFactor(row, row % 2 == 0 ? 0.001 : 1.0);
+  error_->axis(QCPAxis::atBottom)->setTickLabels(low);
+  retranslate();
+}
+
+void TimeChart::resizeEvent(QResizeEvent* event) {
+  arrange();
+  QCustomPlot::resizeEvent(event);
 }
 
 void TimeChart::buildBand() {
@@ -170,6 +192,10 @@ void TimeChart::dress(const QPalette& palette, const QFont& plotFont, const QCol
   dressAxes(*error_, colours, plotFont);
   dressAxes(*pace_, colours, plotFont);
   dressLegend(*paceLegend_, colours, plotFont);
+  // Characters of another script may be taller than the font's own.
+  const int row = QFontMetrics{plotFont}.height() * 8 / 5;
+  heading_->setMinimumSize(0, row);
+  errorTitle_->setMinimumSize(0, row);
   for (QCPTextElement* title : {errorTitle_, paceTitle_}) {
     title->setFont(plotFont);
     title->setTextColor(colours.ink);
@@ -189,8 +215,9 @@ void TimeChart::retranslate() {
   setAccessibleName(tr("Cross-track error and speed"));
   errorTitle_->setText(tr("Cross-track error (cm)"));
   paceTitle_->setText(tr("Speed (m/s)"));
-  pace_->axis(QCPAxis::atBottom)
-      ->setLabel(ticker_->minutes() ? tr("Time (min), 0 is the newest") : tr("Time (s), 0 is the newest"));
+  const QString time = ticker_->minutes() ? tr("Time (min), 0 is the newest") : tr("Time (s), 0 is the newest");
+  pace_->axis(QCPAxis::atBottom)->setLabel(time);
+  error_->axis(QCPAxis::atBottom)->setLabel(low_ ? time : QString{});
   commanded_->setName(tr("Commanded"));
   reported_->setName(tr("Reported"));
   bandName_->setText(tr("± %1 cm").arg(QLocale{}.toString(kBand, 'f', 0)));

@@ -24,6 +24,8 @@ public:
   void setByHand(bool byHand);
 
 private:
+  void resizeEvent(QResizeEvent* event) override;
+  void arrange();
   void buildBand();
   void buildCrosshair();
   void fitTicks();
@@ -37,6 +39,8 @@ private:
   QCPGraph* commanded_;
   QCPGraph* reported_;
   QCPLegend* paceLegend_;
+  QCPLayoutGrid* heading_ = nullptr;  ///< of the speeds: title and legend
+  bool low_ = false;                  ///< the two lie side by side
   QCPTextElement* errorTitle_;
   QCPTextElement* paceTitle_;
   QCPItemRect* band_ = nullptr;

@@ -50,7 +50,7 @@ void StartPage::setRecent(std::vector<RecentSite> sites) { recent_.setSites(std:
 void StartPage::retranslate() {
   name_.setText(tr("Tessera"));
   sentence_.setText(tr("Watch and guide automated vehicles that find their way by RFID tags in a tile floor."));
-  demo_.setTexts(tr("&Demo floor"), tr("A simulated floor on which a vehicle drives at once. Nothing to plug in."));
+  demo_.setTexts(tr("&Demo floor"), tr("A simulated floor with a vehicle to drive. Nothing to plug in."));
   new_.setTexts(tr("&New site"), tr("Lay a floor of so many tiles, then draw routes and set up vehicles."));
   open_.setTexts(tr("&Open…"), tr("Open a site that was saved before (*.tessera.json)."));
 }

@@ -133,13 +133,14 @@ QWidget* RunPanel::buildVehicle() {
   notice_->setObjectName(QStringLiteral("runNotice"));
 
   auto* column = new QVBoxLayout{page};
+  // What comes and goes, or grows with its text, lies below the buttons: they must not move away under the mouse.
   column->addLayout(head);
-  column->addWidget(sentence_);
-  column->addWidget(progress_);
-  column->addWidget(remaining_);
   column->addLayout(form);
   column->addLayout(orders);
   column->addWidget(actionButton(clear_, QStringLiteral("clearButton"), page));
+  column->addWidget(sentence_);
+  column->addWidget(progress_);
+  column->addWidget(remaining_);
   column->addWidget(notice_);
   column->addStretch();
   return page;
@@ -165,7 +166,7 @@ void RunPanel::retranslate() {
   route_->setPlaceholderText(route_->count() == 0 ? tr("No route yet") : tr("Choose a route"));
   drawRoute_->setText(tr("&Draw a route"));
   drawRoute_->setToolTip(tr("Draw a route on the floor."));
-  speedLabel_->setText(tr("Sp&eed:"));
+  speedLabel_->setText(tr("S&peed:"));
   speed_->setSuffix(tr(" m/s"));
   speed_->setLocale(QLocale{});
   speed_->setToolTip(

@@ -171,10 +171,10 @@ void RoutePanel::retranslate() {
   name(deleteVertex_, tr("Delete &vertex"), tr("Delete the chosen vertex"));
   list_->setAccessibleName(tr("Routes"));
   table_->setAccessibleName(tr("Vertices of the route"));
-  spacingLabel_->setText(tr("&Control points every"));
+  spacingLabel_->setText(tr("Control points every"));
   spacing_->setSuffix(tr(" m"));
   spacing_->setToolTip(tr("Distance of the points that the vehicle is led to, one after the other"));
-  speedLabel_->setText(tr("At a &speed of"));
+  speedLabel_->setText(tr("Time when driven at"));
   speed_->setSuffix(tr(" m/s"));
   speed_->setToolTip(tr("For the driving time shown below; each run has a speed of its own"));
   lengthLabel_->setText(tr("Length and time"));

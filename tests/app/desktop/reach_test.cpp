@@ -1,0 +1,109 @@
+// What must be within reach whatever the window looks like: at any size, with panels closed, in both languages.
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenuBar>
+#include <QRegularExpression>
+#include <QToolButton>
+
+#include "app/desktop/desktop_fixture.h"
+#include "app/tessera/site_files.h"
+
+namespace tessera::desktop {
+namespace {
+
+using supervisor::Task;
+
+class Reach : public DesktopTest {
+protected:
+  void SetUp() override {
+    openWindow(false);
+    ASSERT_NO_FATAL_FAILURE(startDemo());
+  }
+};
+
+TEST_F(Reach, showsTheStopButtonInTheSmallestWindow) {
+  auto* button = find("stopAllButton");
+  for (const char* language : {"en", "zh_CN"}) {
+    window->setLanguage(QString::fromLatin1(language));
+    window->resize(window->minimumSizeHint());
+    EXPECT_TRUE(until([&] { return window->width() <= std::max(800, window->minimumSizeHint().width()); }));
+    QApplication::processEvents();
+    EXPECT_TRUE(button->isVisible()) << language;
+    const QRect there{button->mapTo(window.get(), QPoint{}), button->size()};
+    EXPECT_TRUE(window->rect().contains(there)) << language << ": cut off";
+    EXPECT_GE(button->width(), button->sizeHint().width()) << language;
+  }
+}
+
+TEST_F(Reach, givesOrdersByKeyWhileTheirPanelIsClosed) {
+  find<QDockWidget>("runDock")->close();
+  pressWhenOffered("runAction", Qt::Key_F5);
+  EXPECT_TRUE(until([&] { return vehicle().task == Task::Running; }));
+  pressWhenOffered("pauseAction", Qt::Key_F6);
+  EXPECT_TRUE(until([&] { return vehicle().task == Task::Paused; }));
+  pressWhenOffered("stopAction", Qt::Key_F7);
+  EXPECT_TRUE(until([&] { return vehicle().task == Task::Stopped; }));
+}
+
+TEST_F(Reach, leavesTheButtonsWhereTheyAreWhenADriveBegins) {
+  const auto places = [&] {
+    QList<QPoint> all;
+    for (const char* name : {"runButton", "pauseButton", "stopButton", "clearButton"})
+      all << find(name)->mapTo(window.get(), QPoint{});
+    return all;
+  };
+  const auto before = places();
+  pressWhenOffered("runAction", Qt::Key_F5);
+  EXPECT_TRUE(until([&] { return vehicle().progress > Metres{0.1}; }));
+  QApplication::processEvents();
+  EXPECT_EQ(places(), before);
+}
+
+// The letters that open a menu, press a button or lead to a field together with Alt.
+TEST_F(Reach, givesNoLetterTwoMeanings) {
+  static const QRegularExpression letter{QStringLiteral("&([^&])")};
+  for (const char* language : {"en", "zh_CN"}) {
+    window->setLanguage(QString::fromLatin1(language));
+    QApplication::processEvents();
+    QMap<QString, QString> taken;
+    const auto take = [&](const QString& text) {
+      const auto found = letter.match(text);
+      if (!found.hasMatch()) return;
+      const QString key = found.captured(1).toUpper();
+      EXPECT_FALSE(taken.contains(key)) << language << ": Alt+" << key.toStdString() << " is “" << text.toStdString()
+                                        << "” and “" << taken.value(key).toStdString() << "”";
+      taken.insert(key, text);
+    };
+    for (const QAction* menu : window->menuBar()->actions()) take(menu->text());
+    for (const QLabel* label : window->findChildren<QLabel*>())
+      if (label->buddy() != nullptr && label->isVisible()) take(label->text());
+    for (const QAbstractButton* button : window->findChildren<QAbstractButton*>())
+      if (button->isVisible()) take(button->text());
+  }
+}
+
+TEST_F(Reach, sendsTheChosenOneOfThreeVehiclesAndNoOther) {
+  ASSERT_TRUE(window->files().open(QStringLiteral(TESSERA_SITES "/three.tessera.json")));
+  window->connectTo({});
+  const auto all = [&](const auto& holds) {
+    const auto picture = window->session().latest();
+    return picture && picture->vehicles.size() == 3 &&
+           std::all_of(picture->vehicles.begin(), picture->vehicles.end(), holds);
+  };
+  ASSERT_TRUE(until([&] { return all([](const auto& v) { return v.located; }); }));
+  const auto second = [&] { return window->session().latest()->vehicles[1]; };
+  const QPoint at = pixelOf(second().pose.position.x.value(), second().pose.position.y.value());
+  QTest::mouseClick(&window->canvas(), Qt::LeftButton, {}, at);
+  ASSERT_EQ(window->selection().vehicle(), second().id);
+  const floor::Route route = window->document().site().routes[1];
+  window->selection().setRoute(QString::fromStdString(route.name));
+  pressWhenOffered("runAction", Qt::Key_F5);
+  ASSERT_TRUE(until([&] { return second().task == Task::Running; }));
+  EXPECT_EQ(second().route, route.name);
+  EXPECT_TRUE(all([&](const auto& v) { return v.id == second().id || v.task == Task::None; }));
+  press(Qt::Key_F12);
+  EXPECT_TRUE(until([&] { return second().task == Task::Stopped; }));
+}
+
+}  // namespace
+}  // namespace tessera::desktop
