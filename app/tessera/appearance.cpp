@@ -1,8 +1,11 @@
 #include "app/tessera/appearance.h"
 
 #include <QApplication>
+#include <QPainter>
+#include <QProxyStyle>
 #include <QStyle>
 #include <QStyleFactory>
+#include <QStyleOption>
 #include <initializer_list>
 #include <utility>
 
@@ -11,6 +14,29 @@ namespace {
 
 struct Shades {
   QColor window, base, alternate, button, text, dim, highlight, link;
+};
+
+// Fusion draws the frames of boxes to tick darker than the window, which nobody sees where that is dark already.
+class SeenFrames : public QProxyStyle {
+public:
+  SeenFrames() : QProxyStyle{QStyleFactory::create(QStringLiteral("Fusion"))} {}
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    const bool box = element == PE_IndicatorCheckBox;
+    if (!box && element != PE_IndicatorRadioButton) return;
+    const auto group = option->state.testFlag(State_Enabled) ? QPalette::Active : QPalette::Disabled;
+    QColor frame = option->palette.color(group, QPalette::WindowText);
+    frame.setAlpha(150);
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setPen(QPen{frame, 1.0});
+    painter->setBrush(Qt::NoBrush);
+    const QRectF within = QRectF{option->rect}.adjusted(0.5, 0.5, -0.5, -0.5);
+    if (box) painter->drawRoundedRect(within, 1.5, 1.5);
+    if (!box) painter->drawEllipse(within);
+    painter->restore();
+  }
 };
 
 QPalette paletteOf(const Shades& s) {
@@ -64,7 +90,7 @@ QPalette paletteFor(Appearance appearance) {
 
 void apply(Appearance appearance) {
   const QPalette palette = paletteFor(appearance);
-  if (QApplication::style()->name() != QLatin1String{"fusion"}) QApplication::setStyle(QStyleFactory::create("Fusion"));
+  if (dynamic_cast<SeenFrames*>(QApplication::style()) == nullptr) QApplication::setStyle(new SeenFrames);
   QApplication::setPalette(palette);
 }
 

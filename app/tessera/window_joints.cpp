@@ -185,10 +185,12 @@ void MainWindow::showSite() {
                           actions_->connectPort, actions_->radio, actions_->commission, actions_->jog})
     action->setEnabled(open_);
   actions_->editVehicle->setEnabled(open_ && selection_.vehicle().has_value());
-  setWindowModified(document_.isModified());
   setWindowFilePath(document_.path());
   const QString name = QString::fromStdString(document_.site().name);
-  setWindowTitle(open_ ? tr("%1[*] – Tessera").arg(name.isEmpty() ? tr("Unnamed site") : name) : tr("Tessera"));
+  // The title has the place for the star before anything may set it.
+  setWindowTitle(open_ ? tr("%1[*] – Tessera").arg(name.isEmpty() ? tr("Unnamed site") : name)
+                       : tr("Tessera") + QStringLiteral("[*]"));
+  setWindowModified(document_.isModified());
 }
 
 void MainWindow::showFleetState() {

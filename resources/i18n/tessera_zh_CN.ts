@@ -2752,7 +2752,7 @@ x %2 m，y %3 m</translation>
     </message>
     <message>
         <source>%1 min</source>
-        <translation>%1 min</translation>
+        <translation>%1 分钟</translation>
     </message>
 </context>
 <context>
