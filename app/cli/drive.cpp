@@ -37,7 +37,7 @@ int drive(const DriveWords& words) {
   auto site = floor::loadSite(words.site);
   if (!site) return complain(site.error().sentence, kBadInput);
   auto map = floor::SiteMap::build(std::move(*site));
-  if (!map) return complain(words.site + ": " + map.error().sentence, kBadInput);
+  if (!map) return complain(words.site + ": " + map.error().sentence.english(), kBadInput);
   PortRunSpec spec;
   spec.map = *map;
   spec.port = words.port;

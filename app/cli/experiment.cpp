@@ -50,7 +50,7 @@ Result<Plan> planOf(const ExperimentWords& words) {
   // The world's radios and the host's are set alike, as an integrator would.
   if (words.world.airRate) site->radio.airRate = *words.world.airRate;
   auto map = floor::SiteMap::build(std::move(*site));
-  if (!map) return failure(words.world.site + ": " + map.error().sentence);
+  if (!map) return failure(words.world.site + ": " + map.error().sentence.english());
   Plan plan;
   plan.map = *map;
   plan.speed = MetresPerSecond{words.speed};

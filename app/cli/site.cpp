@@ -19,7 +19,7 @@ int check(const std::string& file, bool asJson) {
   auto site = floor::loadSite(file);
   if (!site) return complain(site.error().sentence, kBadInput);
   auto map = floor::SiteMap::build(std::move(*site));
-  if (!map) return complain(file + ": " + map.error().sentence, kBadInput);
+  if (!map) return complain(file + ": " + map.error().sentence.english(), kBadInput);
   const floor::Site& s = (*map)->site();
   const nlohmann::json counts{
       {"name", s.name},          {"tiles", s.placements.size()}, {"tags", (*map)->tags().size()},

@@ -9,6 +9,7 @@
 #include "app/world/world_options.h"
 #include "floor/site_json.h"
 #include "supervisor/site_change.h"
+#include "ui/base/wording.h"
 
 namespace tessera::desktop {
 namespace {
@@ -156,7 +157,7 @@ void FleetSession::startWorld() {
   folder_ = std::make_unique<QTemporaryDir>();
   const auto file = std::filesystem::path{folder_->path().toStdString()} / "site.tessera.json";
   if (const auto saved = floor::saveSite(map_->site(), file); !saved) {
-    Q_EMIT failed(QString::fromStdString(saved.error().sentence));
+    Q_EMIT failed(ui::text(saved.error().sentence));
     finish();
     return;
   }
@@ -182,7 +183,7 @@ void FleetSession::supervise(const host::PortChoice& port) {
   config.seed = QRandomGenerator::system()->generate64();
   auto supervisor = supervisor::Supervisor::create(map_, config);
   if (!supervisor) {
-    Q_EMIT failed(QString::fromStdString(supervisor.error().sentence));
+    Q_EMIT failed(ui::text(supervisor.error().sentence));
     finish();
     return;
   }

@@ -9,6 +9,7 @@
 
 #include "host/supervisor_thread.h"
 #include "store/site_store.h"
+#include "ui/base/wording.h"
 
 namespace tessera::desktop {
 namespace {
@@ -41,7 +42,8 @@ Keeper::Keeper(ui::SiteDocument& document, ui::FleetLink& fleet, QObject* parent
   store::StoreThread::Options options;
   options.file = databasePath().toStdString();
   store_ = std::make_unique<store::StoreThread>(options);
-  connect(store_.get(), &store::StoreThread::failed, this, &Keeper::failed);
+  connect(store_.get(), &store::StoreThread::failed, this,
+          [this](const Sentence& sentence) { Q_EMIT failed(ui::text(sentence)); });
   connect(store_.get(), &store::StoreThread::journalFound, this,
           [this](quint64 request, const store::JournalPage& page) {
             if (request != history_) return;

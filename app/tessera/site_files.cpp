@@ -12,6 +12,7 @@
 
 #include "floor/new_floor.h"
 #include "floor/site_json.h"
+#include "ui/base/wording.h"
 #include "ui/connect/new_site_dialog.h"
 
 namespace tessera::desktop {
@@ -45,8 +46,8 @@ Result<QString> SiteFiles::demoPath() {
   if (QFileInfo::exists(path)) return path;
   QFile ours{QStringLiteral(":/sites/demo.tessera.json")};
   if (!folder.mkpath(QStringLiteral(".")) || !ours.copy(path))
-    return failure("The demo floor could not be put into " + folder.path().toStdString() + ": " +
-                   ours.errorString().toStdString() + ".");
+    return failure(phrase("Core", "The demo floor could not be put into %1: %2.")
+                       .with(folder.path().toStdString(), ours.errorString().toStdString()));
   QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner);
   return path;
 }
@@ -70,7 +71,7 @@ bool SiteFiles::openAsking() {
 bool SiteFiles::openDemo() {
   const auto path = demoPath();
   if (path) return open(*path);
-  tell(tr("The demo floor is not there"), QString::fromStdString(path.error().sentence));
+  tell(tr("The demo floor is not there"), ui::text(path.error().sentence));
   return false;
 }
 
@@ -82,7 +83,7 @@ bool SiteFiles::create() {
   auto site = floor::layNewFloor(dialog.wish());
   auto map = site ? floor::SiteMap::build(*std::move(site)) : tl::unexpected{site.error()};
   if (!map) {
-    tell(tr("The site could not be made"), QString::fromStdString(map.error().sentence));
+    tell(tr("The site could not be made"), ui::text(map.error().sentence));
     return false;
   }
   document_.replace(*std::move(map), {});
@@ -93,7 +94,7 @@ bool SiteFiles::create() {
 bool SiteFiles::read(const QString& path) {
   auto map = mapFrom(path);
   if (!map) {
-    tell(tr("The site could not be opened"), QString::fromStdString(map.error().sentence));
+    tell(tr("The site could not be opened"), ui::text(map.error().sentence));
     return false;
   }
   auto unsaved = recovery_ ? recovery_(path) : nullptr;
@@ -142,7 +143,7 @@ bool SiteFiles::saveAs() {
 bool SiteFiles::writeTo(const QString& path) {
   const WaitCursor wait;
   if (const auto saved = floor::saveSite(document_.site(), path.toStdString()); !saved) {
-    tell(tr("The site could not be saved"), QString::fromStdString(saved.error().sentence));
+    tell(tr("The site could not be saved"), ui::text(saved.error().sentence));
     return false;
   }
   document_.setPath(path);
@@ -159,7 +160,7 @@ void SiteFiles::rename() {
                                              QLineEdit::Normal, QString::fromStdString(document_.site().name), &agreed);
   if (!agreed) return;
   const auto done = document_.edit(tr("Rename site"), [&](floor::Site& s) { s.name = name.trimmed().toStdString(); });
-  if (!done) tell(tr("The site could not be renamed"), QString::fromStdString(done.error().sentence));
+  if (!done) tell(tr("The site could not be renamed"), ui::text(done.error().sentence));
 }
 
 bool SiteFiles::mayLeave() {

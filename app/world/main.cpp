@@ -108,7 +108,7 @@ private:
           << (result ? nlohmann::json{{"done", *result}} : nlohmann::json{{"error", result.error().sentence}}).dump()
           << std::endl;
     } else if (!result || !result->empty()) {
-      std::cout << (result ? *result : "error: " + result.error().sentence) << std::endl;
+      std::cout << (result ? *result : "error: " + result.error().sentence.english()) << std::endl;
     }
   }
 

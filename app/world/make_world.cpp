@@ -154,7 +154,8 @@ private:
     if (!path.empty() && fs::exists(path)) return readImage(path);
     auto fresh = isFresh(setup.id) ? emptyEeprom() : sim::commissionEeprom(setup, site_, body, options_.seed);
     if (!fresh)
-      return failure("Cannot set up vehicle " + std::to_string(setup.id.value) + ": " + fresh.error().sentence);
+      return failure("Cannot set up vehicle " + std::to_string(setup.id.value) + ": " +
+                     fresh.error().sentence.english());
     if (!path.empty())
       if (auto written = writeImage(path, *fresh); !written) return tl::unexpected{written.error()};
     return fresh;

@@ -1,21 +1,22 @@
 // Failures that come from outside are values: a sentence that says what is wrong and where.
 #pragma once
 
-#include <string>
 #include <tl/expected.hpp>
 #include <utility>
+
+#include "base/sentence.h"
 
 namespace tessera {
 
 struct Error {
-  std::string sentence;  ///< English, complete, names the file, field or port concerned
+  Sentence sentence;  ///< complete, names the file, field or port concerned; the window says it in its own language
   bool operator==(const Error&) const = default;
 };
 
 template <class T>
 using Result = tl::expected<T, Error>;
 
-[[nodiscard]] inline tl::unexpected<Error> failure(std::string sentence) {
+[[nodiscard]] inline tl::unexpected<Error> failure(Sentence sentence) {
   return tl::unexpected<Error>{Error{std::move(sentence)}};
 }
 

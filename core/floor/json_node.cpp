@@ -24,10 +24,10 @@ std::string shortened(std::string s) {
   return s.substr(0, end) + "...";
 }
 
-std::string described(const json* value) {
-  if (value == nullptr) return "nothing";
-  if (value->is_object()) return "an object";
-  if (value->is_array()) return "an array of " + std::to_string(value->size());
+Sentence described(const json* value) {
+  if (value == nullptr) return phrase("Core", "nothing");
+  if (value->is_object()) return phrase("Core", "an object");
+  if (value->is_array()) return phrase("Core", "an array of %1").with(value->size());
   return shortened(value->dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
@@ -52,7 +52,7 @@ public:
       case json::parse_event_t::key:
         levels_.back().key = parsed.get<std::string>();
         if (!levels_.back().keys.insert(levels_.back().key).second)
-          errors_.add(pointer(), "this key stands twice in one object.");
+          errors_.add(pointer(), phrase("Core", "this key stands twice in one object."));
         return;
       case json::parse_event_t::value:
         break;
@@ -82,8 +82,10 @@ bool contains(std::initializer_list<std::string_view> keys, std::string_view key
 
 }  // namespace
 
-void JsonErrors::add(const std::string& pointer, const std::string& sentence) {
-  if (!first_) first_ = Error{document_ + ": " + (pointer.empty() ? "the document" : pointer) + ": " + sentence};
+void JsonErrors::add(const std::string& pointer, const Sentence& sentence) {
+  if (first_) return;
+  const Sentence place = pointer.empty() ? Sentence{phrase("Core", "the document")} : Sentence{pointer};
+  first_ = Error{phrase("Core", "%1: %2: %3").with(document_, place, sentence)};
 }
 
 json parseJson(std::string_view text, JsonErrors& errors) {
@@ -99,17 +101,17 @@ std::string JsonNode::pointer() const {
   return parent_->pointer() + "/" + (key_.empty() ? std::to_string(index_) : escaped(key_));
 }
 
-void JsonNode::fail(const std::string& expected) const {
-  errors_.add(pointer(), "expected " + expected + ", found " + described(value_) + ".");
+void JsonNode::fail(const Sentence& expected) const {
+  errors_.add(pointer(), phrase("Core", "expected %1, found %2.").with(expected, described(value_)));
 }
 
-void JsonNode::secretFail(const std::string& expected) const {
-  errors_.add(pointer(), "expected " + expected + ", found something else.");
+void JsonNode::secretFail(const Sentence& expected) const {
+  errors_.add(pointer(), phrase("Core", "expected %1, found something else.").with(expected));
 }
 
 void JsonNode::object(std::initializer_list<std::string_view> required,
                       std::initializer_list<std::string_view> optional) {
-  if (value_ == nullptr || !value_->is_object()) return fail("an object");
+  if (value_ == nullptr || !value_->is_object()) return fail(phrase("Core", "an object"));
   for (const auto& [key, value] : value_->items()) {
     if (contains(required, key) || contains(optional, key)) continue;
     std::string known;
@@ -117,11 +119,11 @@ void JsonNode::object(std::initializer_list<std::string_view> required,
       for (std::string_view k : keys) known += (known.empty() ? "" : ", ") + std::string{k};
     }
     return errors_.add(pointer() + "/" + escaped(shortened(key)),
-                       "there is no such key here; expected one of " + known + ".");
+                       phrase("Core", "there is no such key here; expected one of %1.").with(known));
   }
   for (std::string_view key : required) {
     if (!value_->contains(key)) {
-      return errors_.add(pointer() + "/" + escaped(key), "expected this key, which is missing.");
+      return errors_.add(pointer() + "/" + escaped(key), phrase("Core", "expected this key, which is missing."));
     }
   }
 }
@@ -141,12 +143,12 @@ JsonNode JsonNode::operator[](std::size_t index) const {
 
 bool JsonNode::isNull() const { return value_ != nullptr && value_->is_null(); }
 
-double JsonNode::number(double low, double high, std::string_view unit) const {
+double JsonNode::number(double low, double high, const Sentence& unit) const {
   if (value_ != nullptr && value_->is_number()) {
     const double v = value_->get<double>();
     if (v >= low && v <= high) return v == 0.0 ? 0.0 : v;  // no minus zero
   }
-  fail("a number of " + std::string{unit} + " from " + plain(low) + " to " + plain(high));
+  fail(phrase("Core", "a number of %1 from %2 to %3").with(unit, plain(low), plain(high)));
   return low;
 }
 
@@ -156,13 +158,13 @@ int JsonNode::integer(int low, int high) const {
     const double v = value_->get<double>();
     if (v >= low && v <= high && v == std::floor(v)) return static_cast<int>(v);
   }
-  fail("a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+  fail(phrase("Core", "a whole number from %1 to %2").with(low, high));
   return low;
 }
 
 bool JsonNode::boolean() const {
   if (value_ != nullptr && value_->is_boolean()) return value_->get<bool>();
-  fail("true or false");
+  fail(phrase("Core", "true or false"));
   return false;
 }
 
@@ -173,7 +175,7 @@ std::string JsonNode::text(std::size_t shortest, std::size_t longest) const {
         std::count_if(s.begin(), s.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
     if (characters >= shortest && characters <= longest) return s;
   }
-  fail("a text of " + std::to_string(shortest) + " to " + std::to_string(longest) + " characters");
+  fail(phrase("Core", "a text of %1 to %2 characters").with(shortest, longest));
   return {};
 }
 
@@ -184,7 +186,7 @@ std::size_t JsonNode::choice(const std::vector<std::string_view>& choices) const
   }
   std::string known;
   for (std::string_view c : choices) known += (known.empty() ? "\"" : ", \"") + std::string{c} + "\"";
-  fail("one of " + known);
+  fail(phrase("Core", "one of %1").with(known));
   return 0;
 }
 
@@ -192,7 +194,7 @@ std::size_t JsonNode::array(std::size_t fewest, std::size_t most) const {
   if (value_ != nullptr && value_->is_array() && value_->size() >= fewest && value_->size() <= most) {
     return value_->size();
   }
-  fail("an array of " + std::to_string(fewest) + " to " + std::to_string(most) + " elements");
+  fail(phrase("Core", "an array of %1 to %2 elements").with(fewest, most));
   return 0;
 }
 

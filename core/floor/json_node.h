@@ -18,7 +18,7 @@ namespace tessera::floor {
 class JsonErrors {
 public:
   explicit JsonErrors(std::string document) : document_{std::move(document)} {}
-  void add(const std::string& pointer, const std::string& sentence);
+  void add(const std::string& pointer, const Sentence& sentence);
   [[nodiscard]] const std::optional<Error>& first() const { return first_; }
 
 private:
@@ -43,7 +43,7 @@ public:
   [[nodiscard]] bool isNull() const;
 
   /// A number in [low, high], `unit` for the error sentence.
-  [[nodiscard]] double number(double low, double high, std::string_view unit) const;
+  [[nodiscard]] double number(double low, double high, const Sentence& unit) const;
   [[nodiscard]] int integer(int low, int high) const;
   [[nodiscard]] bool boolean() const;
   [[nodiscard]] std::string text(std::size_t shortest, std::size_t longest) const;
@@ -62,9 +62,9 @@ public:
   }
 
   /// "expected <expected>, found <what stands there>".
-  void fail(const std::string& expected) const;
+  void fail(const Sentence& expected) const;
   /// The same for a value that must not be shown.
-  void secretFail(const std::string& expected) const;
+  void secretFail(const Sentence& expected) const;
   [[nodiscard]] bool failed() const { return errors_.first().has_value(); }
   [[nodiscard]] std::string pointer() const;
 

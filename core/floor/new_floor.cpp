@@ -53,11 +53,11 @@ std::span<const TileType> usualTileTypes() {
 Result<Site> layNewFloor(const NewFloor& wish) {
   for (const int count : {wish.columns, wish.rows}) {
     if (count < 1 || count > NewFloor::kMost)
-      return failure("A floor has 1 to " + std::to_string(NewFloor::kMost) + " tiles along each side, not " +
-                     std::to_string(count) + ".");
+      return failure(
+          phrase("Core", "A floor has 1 to %1 tiles along each side, not %2.").with(int{NewFloor::kMost}, count));
   }
   const std::size_t tags = tagOffsets(wish.type).size();
-  if (tags == 0) return failure("The tile type " + wish.type.name + " has no tags.");
+  if (tags == 0) return failure(phrase("Core", "The tile type %1 has no tags.").with(wish.type.name));
   Site site;
   site.name = wish.name;
   site.tileTypes = {wish.type};

@@ -19,7 +19,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string reason(int error) { return std::generic_category().message(error); }
+// What a person meets is said in the window's language; the rest as the system has it.
+Sentence reason(int error) {
+  switch (error) {
+    case ENOENT:
+      return phrase("Core", "No such file or directory");
+    case EACCES:
+    case EPERM:
+      return phrase("Core", "Permission denied");
+    case ENOSPC:
+    case EDQUOT:
+      return phrase("Core", "No space left on device");
+    case EROFS:
+      return phrase("Core", "Read-only file system");
+    case EIO:
+      return phrase("Core", "Input/output error");
+    default:
+      return std::generic_category().message(error);
+  }
+}
 
 // A temporary file that is gone again unless it took its final name.
 class TemporaryFile {
@@ -77,9 +95,10 @@ void syncFolder(const fs::path& folder) {
 
 Result<Site> loadSite(const fs::path& path) {
   std::error_code error;
-  if (fs::is_directory(path, error)) return failure(path.string() + ": expected a site file, found a folder.");
+  if (fs::is_directory(path, error))
+    return failure(phrase("Core", "%1: expected a site file, found a folder.").with(path.string()));
   std::ifstream in{path, std::ios::binary};
-  if (!in) return failure(path.string() + ": cannot be read: " + reason(errno) + ".");
+  if (!in) return failure(phrase("Core", "%1: cannot be read: %2.").with(path.string(), reason(errno)));
   // Reads no more than parseSite would take, whatever the file's size says (it may be a device).
   constexpr std::size_t most = (std::size_t{64} << 20) + 1;
   std::string text;
@@ -88,7 +107,7 @@ Result<Site> loadSite(const fs::path& path) {
     in.read(block.data(), block.size());
     text.append(block.data(), static_cast<std::size_t>(in.gcount()));
   }
-  if (in.bad()) return failure(path.string() + ": cannot be read to its end.");
+  if (in.bad()) return failure(phrase("Core", "%1: cannot be read to its end.").with(path.string()));
   return parseSite(text, path.string());
 }
 
@@ -96,15 +115,15 @@ Result<void> saveSite(const Site& site, const fs::path& path) {
   // A link stays a link: what it leads to is replaced.
   std::error_code error;
   const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
-  const auto failed = [&path](const char* what) {
-    return failure(path.string() + ": " + what + ": " + reason(errno) + ". The file was not changed.");
+  const auto failed = [&path](const Sentence& what) {
+    return failure(phrase("Core", "%1: %2: %3. The file was not changed.").with(path.string(), what, reason(errno)));
   };
   TemporaryFile file{target};
-  if (!file.open()) return failed("a temporary file beside it cannot be made");
-  if (!file.write(writeSite(site))) return failed("cannot be written");
-  if (!file.rights(target)) return failed("cannot be given its rights");
-  if (!file.sync()) return failed("cannot be brought to disk");
-  if (!file.rename(target)) return failed("cannot be replaced");
+  if (!file.open()) return failed(phrase("Core", "a temporary file beside it cannot be made"));
+  if (!file.write(writeSite(site))) return failed(phrase("Core", "cannot be written"));
+  if (!file.rights(target)) return failed(phrase("Core", "cannot be given its rights"));
+  if (!file.sync()) return failed(phrase("Core", "cannot be brought to disk"));
+  if (!file.rename(target)) return failed(phrase("Core", "cannot be replaced"));
   syncFolder(target.parent_path());
   return {};
 }

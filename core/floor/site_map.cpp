@@ -11,8 +11,6 @@
 namespace tessera::floor {
 namespace {
 
-std::string quoted(const std::string& name) { return "\"" + name + "\""; }
-
 // A key that appears twice among the items, if any.
 template <class Items, class KeyOf>
 auto repeated(const Items& items, KeyOf keyOf) {
@@ -25,17 +23,16 @@ auto repeated(const Items& items, KeyOf keyOf) {
 }
 
 std::optional<Error> doubledName(const Site& site) {
-  const auto error = [](std::string sentence) { return Error{std::move(sentence)}; };
   if (auto n = repeated(site.tileTypes, [](const TileType& t) { return t.name; }))
-    return error("Two tile types are called " + quoted(*n) + ".");
+    return Error{phrase("Core", "Two tile types are called \"%1\".").with(*n)};
   if (auto n = repeated(site.tiles, [](const Tile& t) { return t.serial; }))
-    return error("Two tiles have the serial number " + quoted(*n) + ".");
+    return Error{phrase("Core", "Two tiles have the serial number \"%1\".").with(*n)};
   if (auto n = repeated(site.placements, [](const Placement& p) { return p.serial; }))
-    return error("Tile " + quoted(*n) + " is laid twice.");
+    return Error{phrase("Core", "Tile \"%1\" is laid twice.").with(*n)};
   if (auto n = repeated(site.routes, [](const Route& r) { return r.name; }))
-    return error("Two routes are called " + quoted(*n) + ".");
+    return Error{phrase("Core", "Two routes are called \"%1\".").with(*n)};
   if (auto n = repeated(site.vehicles, [](const VehicleSetup& v) { return v.id; }))
-    return error("Two vehicles have the address " + std::to_string(n->value) + ".");
+    return Error{phrase("Core", "Two vehicles have the address %1.").with(n->value)};
   return std::nullopt;
 }
 
@@ -62,8 +59,9 @@ public:
     }
     for (const PlacedTag& tag : placed_) {
       if (!isPlace(tag.place))
-        return failure("Tag " + tag.uid.text() +
-                       " has a place that is no number or farther than 1000 km from the site's origin.");
+        return failure(
+            phrase("Core", "Tag %1 has a place that is no number or farther than 1000 km from the site's origin.")
+                .with(tag.uid.text()));
     }
     return std::move(placed_);
   }
@@ -71,17 +69,18 @@ public:
 private:
   std::optional<Error> lay(const Placement& placement) {
     const auto tile = tiles_.find(placement.serial);
-    if (tile == tiles_.end()) return Error{"Tile " + quoted(placement.serial) + " is laid, but no such tile is known."};
+    if (tile == tiles_.end())
+      return Error{phrase("Core", "Tile \"%1\" is laid, but no such tile is known.").with(placement.serial)};
     const auto type = types_.find(tile->second->type);
     if (type == types_.end()) {
-      return Error{"Tile " + quoted(placement.serial) + " is of type " + quoted(tile->second->type) +
-                   ", which is not known."};
+      return Error{phrase("Core", "Tile \"%1\" is of type \"%2\", which is not known.")
+                       .with(placement.serial, tile->second->type)};
     }
     const std::vector<Offset>& offsets = offsetsOf(*type->second);
     const std::vector<TagUid>& uids = tile->second->uids;
     if (uids.size() > offsets.size()) {
-      return Error{"Tile " + quoted(placement.serial) + " has " + std::to_string(uids.size()) + " UIDs, but its type " +
-                   quoted(type->second->name) + " has only " + std::to_string(offsets.size()) + " tags."};
+      return Error{phrase("Core", "Tile \"%1\" has %2 UIDs, but its type \"%3\" has only %4 tags.")
+                       .with(placement.serial, uids.size(), type->second->name, offsets.size())};
     }
     for (std::size_t n = 0; n < uids.size(); ++n) {
       if (uids[n].empty()) continue;
@@ -109,15 +108,16 @@ Result<std::shared_ptr<const SiteMap>> SiteMap::build(Site site) {
   if (auto error = doubledName(site)) return tl::unexpected{std::move(*error)};
   auto tags = Layer{site}.lay();
   if (!tags) return tl::unexpected{std::move(tags.error())};
-  if (tags->size() >= std::numeric_limits<std::uint32_t>::max() / 4) return failure("The site has too many tags.");
+  if (tags->size() >= std::numeric_limits<std::uint32_t>::max() / 4)
+    return failure(phrase("Core", "The site has too many tags."));
 
   if (const auto twice = repeated(*tags, [](const PlacedTag& t) { return t.uid; })) {
-    return failure("Tag " + twice->text() + " is registered at two places.");
+    return failure(phrase("Core", "Tag %1 is registered at two places.").with(twice->text()));
   }
   std::shared_ptr<SiteMap> map{new SiteMap};
   map->site_ = std::move(site);
   map->sortIntoGrid(std::move(*tags));
-  if (!map->hashTags()) return failure("The UIDs of the site's tags cannot be told apart quickly.");
+  if (!map->hashTags()) return failure(phrase("Core", "The UIDs of the site's tags cannot be told apart quickly."));
   return map;
 }
 

@@ -19,9 +19,11 @@ constexpr std::size_t kMany = 1'000'000;
 constexpr std::size_t kSome = 10'000;
 constexpr double kFar = 100'000.0;
 
-Metres readMetres(const JsonNode& n, double low, double high) { return Metres{n.number(low, high, "metres")}; }
+Metres readMetres(const JsonNode& n, double low, double high) {
+  return Metres{n.number(low, high, phrase("Core", "metres"))};
+}
 Metres readCoordinate(const JsonNode& n) { return readMetres(n, -kFar, kFar); }
-Radians readDegrees(const JsonNode& n) { return fromDegrees(n.number(-360.0, 360.0, "degrees")); }
+Radians readDegrees(const JsonNode& n) { return fromDegrees(n.number(-360.0, 360.0, phrase("Core", "degrees"))); }
 
 Point readPoint(const JsonNode& n) {
   static_cast<void>(n.array(2, 2));
@@ -41,7 +43,8 @@ TagUid readUid(const JsonNode& n, bool mayBeNull) {
   const auto uid = TagUid::parse(text);
   // Files hold the plain form only: one UID, one text.
   if (!n.failed() && uid && uid->text().size() == text.size()) return *uid;
-  n.fail("a tag's UID of 8, 14 or 20 hexadecimal digits" + std::string{mayBeNull ? " or null" : ""});
+  n.fail(mayBeNull ? phrase("Core", "a tag's UID of 8, 14 or 20 hexadecimal digits or null")
+                   : phrase("Core", "a tag's UID of 8, 14 or 20 hexadecimal digits"));
   return {};
 }
 
@@ -52,7 +55,7 @@ wire::Key readKey(const JsonNode& n) {
                       return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
                     });
   // A key is a secret: the error does not quote it.
-  if (!good && !n.failed()) n.secretFail("a key of 32 hexadecimal digits");
+  if (!good && !n.failed()) n.secretFail(phrase("Core", "a key of 32 hexadecimal digits"));
   for (std::size_t i = 0; good && i < key.size(); ++i) {
     key[i] = static_cast<std::uint8_t>(std::stoul(text.substr(2 * i, 2), nullptr, 16));
   }
@@ -66,7 +69,7 @@ std::vector<bool> readCustom(const JsonNode& n, int columns, int rows) {
   const auto width = static_cast<std::size_t>(columns);
   for (std::size_t row = 0; row < n.array(height, height); ++row) {
     const std::string line = n[row].text(width, width);
-    if (line.find_first_not_of("#.") != std::string::npos) n[row].fail("a row of '#' and '.'");
+    if (line.find_first_not_of("#.") != std::string::npos) n[row].fail(phrase("Core", "a row of '#' and '.'"));
     for (char c : line) places.push_back(c == '#');
   }
   return places;
@@ -87,16 +90,17 @@ TileType readType(JsonNode n) {
   if (n["starts_with_gap"].present()) type.startsWithGap = n["starts_with_gap"].boolean();
   if (n.failed()) return type;
   if (type.startsWithGap && type.pattern != Pattern::OneInTwo)
-    n["starts_with_gap"].fail("no gap at the start of a pattern that is not one-in-two");
+    n["starts_with_gap"].fail(phrase("Core", "no gap at the start of a pattern that is not one-in-two"));
   if ((type.pattern == Pattern::Custom) != n["custom"].present())
-    n["custom"].fail(n["custom"].present() ? "the custom pattern's rows only with \"pattern\": \"custom\""
-                                           : "the rows of the custom pattern");
+    n["custom"].fail(n["custom"].present()
+                         ? phrase("Core", "the custom pattern's rows only with \"pattern\": \"custom\"")
+                         : phrase("Core", "the rows of the custom pattern"));
   if (type.pattern == Pattern::Custom) type.custom = readCustom(n["custom"], type.columns, type.rows);
   constexpr Metres slack{1e-6};
   const bool onTile = type.margin.x >= -slack && type.margin.y >= -slack &&
                       type.margin.x + (type.columns - 1) * type.pitch <= type.width + slack &&
                       type.margin.y + (type.rows - 1) * type.pitch <= type.height + slack;
-  if (!onTile) n["pitch_m"].fail("a lattice of columns and rows that lies on the tile");
+  if (!onTile) n["pitch_m"].fail(phrase("Core", "a lattice of columns and rows that lies on the tile"));
   return type;
 }
 
@@ -174,7 +178,7 @@ RadioSetup readRadio(JsonNode n) {
   if (n["channel"].present()) radio.channel = n["channel"].integer(0, 31);
   const auto oneOf = [](const JsonNode& m, const auto& rates, const std::string& names) {
     const int rate = m.integer(0, 1'000'000);
-    if (std::find(rates.begin(), rates.end(), rate) == rates.end()) m.fail("one of " + names);
+    if (std::find(rates.begin(), rates.end(), rate) == rates.end()) m.fail(phrase("Core", "one of %1").with(names));
     return rate;
   };
   if (n["air_rate_bps"].present())
@@ -224,19 +228,20 @@ bool tooDeep(std::string_view text) {
   return false;
 }
 
-std::string lineAndColumn(std::string_view text, std::size_t byte) {
+Sentence lineAndColumn(std::string_view text, std::size_t byte) {
   const std::string_view before = text.substr(0, byte == 0 ? 0 : byte - 1);
   const auto line = std::count(before.begin(), before.end(), '\n') + 1;
   const std::size_t start = before.rfind('\n');
   const std::size_t column = start == std::string_view::npos ? before.size() + 1 : before.size() - start;
-  return "line " + std::to_string(line) + ", column " + std::to_string(column);
+  return phrase("Core", "line %1, column %2").with(line, column);
 }
 
 }  // namespace
 
 Result<Site> parseSite(std::string_view text, const std::string& name) {
-  if (text.size() > kMaxText) return failure(name + ": a site file has at most 64 MiB.");
-  if (tooDeep(text)) return failure(name + ": expected a site, found a text that nests deeper than 16 levels.");
+  if (text.size() > kMaxText) return failure(phrase("Core", "%1: a site file has at most 64 MiB.").with(name));
+  if (tooDeep(text))
+    return failure(phrase("Core", "%1: expected a site, found a text that nests deeper than 16 levels.").with(name));
   try {
     JsonErrors errors{name};
     const json document = parseJson(text, errors);
@@ -244,9 +249,11 @@ Result<Site> parseSite(std::string_view text, const std::string& name) {
     if (errors.first()) return tl::unexpected{*errors.first()};
     return site;
   } catch (const json::parse_error& e) {
-    return failure(name + ": " + lineAndColumn(text, e.byte) + ": expected JSON (RFC 8259), found something else.");
+    return failure(phrase("Core", "%1: %2: expected JSON (RFC 8259), found something else.")
+                       .with(name, lineAndColumn(text, e.byte)));
   } catch (const json::exception&) {
-    return failure(name + ": expected JSON (RFC 8259) with numbers of usual size, found a number too large.");
+    return failure(phrase("Core", "%1: expected JSON (RFC 8259) with numbers of usual size, found a number too large.")
+                       .with(name));
   }
 }
 

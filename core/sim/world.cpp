@@ -45,7 +45,7 @@ Result<void> World::start(VehicleId id) {
   v->radio.setPowered(false, time_);
   v->wanted = false;
   if (auto started = v->body->start(time_); !started)
-    return failure("Cannot start " + nameOf(id) + ": " + started.error().sentence);
+    return failure("Cannot start " + nameOf(id) + ": " + started.error().sentence.english());
   v->wanted = true;
   v->radio.setPowered(true, time_);
   return {};

@@ -1,5 +1,6 @@
 #include "store/store_thread.h"
 
+#include <QString>
 #include <algorithm>
 #include <utility>
 
@@ -81,7 +82,7 @@ private:
     if (!result) {
       pause_ = failing_ ? std::min(2 * pause_, 10 * owner_.options_.retry) : owner_.options_.retry;
       nextTry_ = Clock::now() + pause_;
-      if (!std::exchange(failing_, true)) Q_EMIT owner_.failed(QString::fromStdString(result.error().sentence));
+      if (!std::exchange(failing_, true)) Q_EMIT owner_.failed(result.error().sentence);
       return;
     }
     if (std::exchange(failing_, false)) Q_EMIT owner_.recovered(std::exchange(lostInEpisode_, 0));
@@ -115,9 +116,7 @@ private:
   }
 
   void answer(const Request& request) {
-    const auto refuse = [&](const Error& error) {
-      Q_EMIT owner_.requestFailed(request.id, QString::fromStdString(error.sentence));
-    };
+    const auto refuse = [&](const Error& error) { Q_EMIT owner_.requestFailed(request.id, error.sentence); };
     if (auto ready = open(); !ready) return refuse(ready.error());
     std::visit(Overloaded{
                    [&](const LoadSite& what) {

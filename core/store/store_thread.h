@@ -4,7 +4,6 @@
 #pragma once
 
 #include <QObject>
-#include <QString>
 #include <QThread>
 #include <atomic>
 #include <chrono>
@@ -12,6 +11,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/sentence.h"
 #include "store/database.h"
 #include "store/site_store.h"
 #include "store/store_queue.h"
@@ -59,10 +59,10 @@ Q_SIGNALS:
   /// The latest first.
   void sitesListed(quint64 request, const std::vector<tessera::store::KeptSite>& sites);
   void journalFound(quint64 request, const tessera::store::JournalPage& page);
-  void requestFailed(quint64 request, const QString& sentence);
+  void requestFailed(quint64 request, const tessera::Sentence& sentence);
 
   /// Something cannot be written and is tried again and again. Once, until recovered() follows.
-  void failed(const QString& sentence);
+  void failed(const tessera::Sentence& sentence);
   /// All that waited is written, but for so many notes of the journal.
   void recovered(quint64 notesLost);
   /// Everything posted before this is on its way to the disk.

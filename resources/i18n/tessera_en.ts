@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>tessera::ui::EventPanel</name>
+    <message numerus="yes">
+        <source>The last %n events of this day are listed. Choose a severity or a vehicle to see the earlier ones.</source>
+        <translation>
+            <numerusform>The last event of this day is listed. Choose a severity or a vehicle to see the earlier ones.</numerusform>
+            <numerusform>The last %n events of this day are listed. Choose a severity or a vehicle to see the earlier ones.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>tessera::ui::KeyPage</name>
     <message numerus="yes">
         <source>A key has 32 hexadecimal digits (0–9, A–F); here are %n.</source>

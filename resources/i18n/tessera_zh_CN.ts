@@ -1059,6 +1059,286 @@
         <source>All vehicles were told to stop.</source>
         <translation>已命令所有车辆停车。</translation>
     </message>
+    <message>
+        <source>The demo floor could not be put into %1: %2.</source>
+        <translation>无法将演示地面放入 %1：%2。</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>什么都没有</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>一个对象</translation>
+    </message>
+    <message>
+        <source>an array of %1</source>
+        <translation>有 %1 个元素的数组</translation>
+    </message>
+    <message>
+        <source>this key stands twice in one object.</source>
+        <translation>同一对象中此键出现了两次。</translation>
+    </message>
+    <message>
+        <source>the document</source>
+        <translation>整个文档</translation>
+    </message>
+    <message>
+        <source>expected %1, found %2.</source>
+        <translation>应为：%1；实际为：%2。</translation>
+    </message>
+    <message>
+        <source>expected %1, found something else.</source>
+        <translation>应为：%1；实际为其他内容。</translation>
+    </message>
+    <message>
+        <source>there is no such key here; expected one of %1.</source>
+        <translation>此处没有这样的键；应为以下之一：%1。</translation>
+    </message>
+    <message>
+        <source>expected this key, which is missing.</source>
+        <translation>缺少此键。</translation>
+    </message>
+    <message>
+        <source>a number of %1 from %2 to %3</source>
+        <translation>以%1为单位、%2 到 %3 之间的数</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation>%1 到 %2 之间的整数</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true 或 false</translation>
+    </message>
+    <message>
+        <source>a text of %1 to %2 characters</source>
+        <translation>%1 到 %2 个字符的文本</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>以下之一：%1</translation>
+    </message>
+    <message>
+        <source>an array of %1 to %2 elements</source>
+        <translation>有 %1 到 %2 个元素的数组</translation>
+    </message>
+    <message>
+        <source>A floor has 1 to %1 tiles along each side, not %2.</source>
+        <translation>地面每边有 1 到 %1 块地板砖，不能是 %2 块。</translation>
+    </message>
+    <message>
+        <source>The tile type %1 has no tags.</source>
+        <translation>地板规格 %1 没有标签。</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>没有这个文件或文件夹</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>没有权限</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>磁盘空间已满</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>文件系统为只读</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>读写错误</translation>
+    </message>
+    <message>
+        <source>%1: expected a site file, found a folder.</source>
+        <translation>%1：应为场地文件，实际是文件夹。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read: %2.</source>
+        <translation>%1：无法读取：%2。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read to its end.</source>
+        <translation>%1：无法读到末尾。</translation>
+    </message>
+    <message>
+        <source>%1: %2: %3. The file was not changed.</source>
+        <translation>%1：%2：%3。文件未被更改。</translation>
+    </message>
+    <message>
+        <source>a temporary file beside it cannot be made</source>
+        <translation>无法在其旁边创建临时文件</translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation>无法写入</translation>
+    </message>
+    <message>
+        <source>cannot be given its rights</source>
+        <translation>无法设置其权限</translation>
+    </message>
+    <message>
+        <source>cannot be brought to disk</source>
+        <translation>无法写到磁盘上</translation>
+    </message>
+    <message>
+        <source>cannot be replaced</source>
+        <translation>无法替换</translation>
+    </message>
+    <message>
+        <source>Tile &quot;%1&quot; is laid twice.</source>
+        <translation>地板砖“%1”被铺设了两次。</translation>
+    </message>
+    <message>
+        <source>Two vehicles have the address %1.</source>
+        <translation>两辆车的地址都是 %1。</translation>
+    </message>
+    <message>
+        <source>Tag %1 has a place that is no number or farther than 1000 km from the site&apos;s origin.</source>
+        <translation>标签 %1 的位置不是数，或距场地原点超过 1000 km。</translation>
+    </message>
+    <message>
+        <source>The site has too many tags.</source>
+        <translation>场地的标签太多。</translation>
+    </message>
+    <message>
+        <source>Tag %1 is registered at two places.</source>
+        <translation>标签 %1 登记在两个位置。</translation>
+    </message>
+    <message>
+        <source>The UIDs of the site&apos;s tags cannot be told apart quickly.</source>
+        <translation>无法快速区分场地中标签的 UID。</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>米</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>度</translation>
+    </message>
+    <message>
+        <source>a tag&apos;s UID of 8, 14 or 20 hexadecimal digits or null</source>
+        <translation>8、14 或 20 位十六进制的标签 UID，或 null</translation>
+    </message>
+    <message>
+        <source>a tag&apos;s UID of 8, 14 or 20 hexadecimal digits</source>
+        <translation>8、14 或 20 位十六进制的标签 UID</translation>
+    </message>
+    <message>
+        <source>a key of 32 hexadecimal digits</source>
+        <translation>32 位十六进制的密钥</translation>
+    </message>
+    <message>
+        <source>a row of &apos;#&apos; and &apos;.&apos;</source>
+        <translation>由“#”和“.”组成的一行</translation>
+    </message>
+    <message>
+        <source>no gap at the start of a pattern that is not one-in-two</source>
+        <translation>非隔一布置的图案在开头没有空位</translation>
+    </message>
+    <message>
+        <source>the custom pattern&apos;s rows only with &quot;pattern&quot;: &quot;custom&quot;</source>
+        <translation>仅在 &quot;pattern&quot;: &quot;custom&quot; 时才有自定义图案的行</translation>
+    </message>
+    <message>
+        <source>the rows of the custom pattern</source>
+        <translation>自定义图案的各行</translation>
+    </message>
+    <message>
+        <source>a lattice of columns and rows that lies on the tile</source>
+        <translation>位于地板砖之内的行列点阵</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>第 %1 行第 %2 列</translation>
+    </message>
+    <message>
+        <source>%1: a site file has at most 64 MiB.</source>
+        <translation>%1：场地文件最大为 64 MiB。</translation>
+    </message>
+    <message>
+        <source>%1: expected a site, found a text that nests deeper than 16 levels.</source>
+        <translation>%1：应为场地，实际是嵌套超过 16 层的文本。</translation>
+    </message>
+    <message>
+        <source>%1: %2: expected JSON (RFC 8259), found something else.</source>
+        <translation>%1：%2：应为 JSON（RFC 8259），实际为其他内容。</translation>
+    </message>
+    <message>
+        <source>%1: expected JSON (RFC 8259) with numbers of usual size, found a number too large.</source>
+        <translation>%1：应为数值大小正常的 JSON（RFC 8259），其中有过大的数。</translation>
+    </message>
+    <message>
+        <source>%1: the folder cannot be made: %2.</source>
+        <translation>%1：无法创建文件夹：%2。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be made: %2. Check the folder&apos;s permissions and the space on its disk.</source>
+        <translation>%1：无法创建：%2。请检查文件夹的权限和磁盘空间。</translation>
+    </message>
+    <message>
+        <source>Qt&apos;s driver for SQLite is missing: please install the package libqt6sql6-sqlite.</source>
+        <translation>缺少 Qt 的 SQLite 驱动：请安装软件包 libqt6sql6-sqlite。</translation>
+    </message>
+    <message>
+        <source>%1: the file is damaged. It was left as it is: keep a copy, then move it away and start anew.</source>
+        <translation>%1：文件已损坏，未作改动。请保留一份副本，然后将其移走并重新开始。</translation>
+    </message>
+    <message>
+        <source>%1: another program is writing to this file. Close the other copy of Tessera.</source>
+        <translation>%1：另一个程序正在写入此文件。请关闭另一个 Tessera。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written to. Check the permissions of the file and of its folder.</source>
+        <translation>%1：无法写入。请检查文件及其文件夹的权限。</translation>
+    </message>
+    <message>
+        <source>%1: the disk is full. Make room on it.</source>
+        <translation>%1：磁盘已满。请腾出空间。</translation>
+    </message>
+    <message>
+        <source>%1: the disk failed to read or write. Check that it is still there and has room.</source>
+        <translation>%1：磁盘读写失败。请检查磁盘是否仍在并有空间。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened. Check the permissions of the file and of its folder.</source>
+        <translation>%1：无法打开。请检查文件及其文件夹的权限。</translation>
+    </message>
+    <message>
+        <source>%1: is no file of Tessera&apos;s. It was left as it is: move it away or choose another place.</source>
+        <translation>%1：不是 Tessera 的文件，未作改动。请将其移走或选择其他位置。</translation>
+    </message>
+    <message>
+        <source>%1: a value is too large to be kept.</source>
+        <translation>%1：有一个值太大，无法保存。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be used: %2.</source>
+        <translation>%1：无法使用：%2。</translation>
+    </message>
+    <message>
+        <source>Entries before this one were lost because the journal could not be written: %1.</source>
+        <translation>由于日志无法写入，此条之前的记录已丢失：%1。</translation>
+    </message>
+    <message>
+        <source>%1: is a database of another program. It was left as it is: choose another place.</source>
+        <translation>%1：是其他程序的数据库，未作改动。请选择其他位置。</translation>
+    </message>
+    <message>
+        <source>%1: was made by a newer version of Tessera (layout %2, this program knows up to %3). It was left as it is: please install the newer version.</source>
+        <translation>%1：由更新版本的 Tessera 创建（布局 %2，本程序最高支持 %3），未作改动。请安装更新的版本。</translation>
+    </message>
+    <message>
+        <source>A name in the site is no valid text (UTF-8), so the site cannot be kept.</source>
+        <translation>场地中有名称不是有效文本（UTF-8），因此无法保存该场地。</translation>
+    </message>
+    <message>
+        <source>%1: %2: %3</source>
+        <translation>%1：%2：%3</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>
@@ -1158,6 +1438,21 @@
     <message>
         <source>Delete vertex %1 of %2</source>
         <translation>删除 %2 的顶点 %1</translation>
+    </message>
+</context>
+<context>
+    <name>SaveEvents</name>
+    <message>
+        <source>The file %1 could not be written. Choose another folder.</source>
+        <translation>无法写入文件 %1。请选择其他文件夹。</translation>
+    </message>
+    <message>
+        <source>Save the listed events</source>
+        <translation>保存列出的事件</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -1328,6 +1623,13 @@
     </message>
 </context>
 <context>
+    <name>tessera::desktop::Keeper</name>
+    <message>
+        <source>The journal cannot be read just now. Try again in a moment.</source>
+        <translation>暂时无法读取日志。请稍后再试。</translation>
+    </message>
+</context>
+<context>
     <name>tessera::desktop::MainWindow</name>
     <message>
         <source>x %1 m, y %2 m</source>
@@ -1455,6 +1757,22 @@
     <message>
         <source>&amp;Later</source>
         <translation>稍后(&amp;L)</translation>
+    </message>
+    <message>
+        <source>An unsaved site was kept</source>
+        <translation>保留了一个未保存的场地</translation>
+    </message>
+    <message>
+        <source>The site “%1” was in no file yet when the program ended (%2). Open it again?</source>
+        <translation>程序结束时（%2）场地“%1”尚未保存到任何文件。要重新打开吗？</translation>
+    </message>
+    <message>
+        <source>&amp;Open it</source>
+        <translation>打开(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Forget it</source>
+        <translation>放弃(&amp;F)</translation>
     </message>
 </context>
 <context>
@@ -2153,6 +2471,29 @@
     </message>
 </context>
 <context>
+    <name>tessera::ui::DayBar</name>
+    <message>
+        <source>&amp;Day:</source>
+        <translation>日期(&amp;D)：</translation>
+    </message>
+    <message>
+        <source>The day before</source>
+        <translation>前一天</translation>
+    </message>
+    <message>
+        <source>The day after</source>
+        <translation>后一天</translation>
+    </message>
+    <message>
+        <source>Day of the journal</source>
+        <translation>日志的日期</translation>
+    </message>
+    <message>
+        <source>&amp;Back to now</source>
+        <translation>返回现在(&amp;B)</translation>
+    </message>
+</context>
+<context>
     <name>tessera::ui::DrivePage</name>
     <message>
         <source>The order was not taken: no supervision runs. Connect anew.</source>
@@ -2312,6 +2653,36 @@
     <message>
         <source>Nothing has happened yet. What vehicles do and what goes wrong is told here.</source>
         <translation>尚无事件。车辆的动作和异常情况将显示在这里。</translation>
+    </message>
+    <message>
+        <source>Save all that are listed as a table (CSV)</source>
+        <translation>将列出的全部事件保存为表格 (CSV)</translation>
+    </message>
+    <message>
+        <source>Save as a table</source>
+        <translation>保存为表格</translation>
+    </message>
+    <message>
+        <source>Show a day of the journal</source>
+        <translation>显示某一天的日志</translation>
+    </message>
+    <message>
+        <source>Reading the journal…</source>
+        <translation>正在读取日志…</translation>
+    </message>
+    <message>
+        <source>Nothing was written into the journal on this day. Choose another one, or go back to now.</source>
+        <translation>这一天的日志中没有记录。请选择其他日期，或返回现在。</translation>
+    </message>
+    <message numerus="yes">
+        <source>The last %n events of this day are listed. Choose a severity or a vehicle to see the earlier ones.</source>
+        <translation>
+            <numerusform>列出了这一天最后 %n 个事件。请选择严重程度或车辆以查看更早的事件。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Go back to &amp;now</source>
+        <translation>返回现在(&amp;N)</translation>
     </message>
 </context>
 <context>

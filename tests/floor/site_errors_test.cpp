@@ -121,7 +121,7 @@ TEST(SiteErrors, everyCutAndEveryChangedByteIsTakenOrRefusedInWords) {
       ASSERT_EQ(writeSite(*parseSite(again, "f")), again);
     } else {
       ASSERT_THAT(site.error().sentence, StartsWith("f: "));
-      ASSERT_EQ(site.error().sentence.back(), '.');
+      ASSERT_EQ(site.error().sentence.english().back(), '.');
     }
   }
 }

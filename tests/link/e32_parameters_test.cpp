@@ -42,7 +42,7 @@ TEST(E32Parameters, nameTheValueThatNoModuleHas) {
     E32Parameters p;
     change(p);
     const auto encoded = encodeE32(p);
-    return encoded ? std::string{} : encoded.error().sentence;
+    return encoded ? std::string{} : encoded.error().sentence.english();
   };
   EXPECT_NE(refused([](auto& p) { p.channel = 32; }).find("channel 32"), std::string::npos);
   EXPECT_NE(refused([](auto& p) { p.channel = -1; }).find("channel -1"), std::string::npos);

@@ -95,7 +95,7 @@ TEST(Commissioning, refusesWhatTheFirmwareDoesNotTake) {
   setup.track = Metres{0.0};
   const auto image = commissionEeprom(setup, floor::Site{}, bodyParametersFor(setup), 1);
   ASSERT_FALSE(image);
-  EXPECT_NE(image.error().sentence.find("test vehicle"), std::string::npos);
+  EXPECT_NE(image.error().sentence.english().find("test vehicle"), std::string::npos);
   floor::Site site;
   site.radio.airRate = 1234;
   EXPECT_FALSE(commissionEeprom(testVehicle(), site, bodyParametersFor(testVehicle()), 1));

@@ -135,7 +135,7 @@ TEST(MakeWorld, takesOnlyTheVehiclesThatAreNamed) {
   options.vehicles = {77};
   const auto refused = makeWorld(options, Seconds{});
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().sentence.find("77"), std::string::npos);
+  EXPECT_NE(refused.error().sentence.english().find("77"), std::string::npos);
 }
 
 TEST(MakeWorld, tellsWhatIsWrongWithItsFiles) {
@@ -170,7 +170,7 @@ TEST(MakeWorld, keepsEepromsInTheFolderGiven) {
   std::ofstream{folder / "vehicle-1.eeprom"} << "short";
   const auto refused = makeWorld(options, Seconds{});
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().sentence.find("vehicle-1.eeprom"), std::string::npos);
+  EXPECT_NE(refused.error().sentence.english().find("vehicle-1.eeprom"), std::string::npos);
   fs::remove_all(folder);
 }
 
@@ -263,7 +263,7 @@ TEST_F(CommandsTest, refuseWhatMakesNoSenseWithASentence) {
   for (std::string line; std::getline(lines, line);) {
     const auto answer = obey(line, world(), *this);
     ASSERT_FALSE(answer) << line;
-    EXPECT_EQ(answer.error().sentence.back(), '.') << line;
+    EXPECT_EQ(answer.error().sentence.english().back(), '.') << line;
   }
   EXPECT_TRUE(world().running(VehicleId{1}));
   EXPECT_FALSE(ended_);

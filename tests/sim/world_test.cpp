@@ -147,7 +147,7 @@ TEST_F(WorldTest, tellsWhoIsNotThere) {
   EXPECT_FALSE(world.truth(VehicleId{9}));
   const auto started = world.start(VehicleId{9});
   ASSERT_FALSE(started);
-  EXPECT_NE(started.error().sentence.find("vehicle 9"), std::string::npos);
+  EXPECT_NE(started.error().sentence.english().find("vehicle 9"), std::string::npos);
 }
 
 TEST_F(WorldTest, movesAVehicleThatIsPushed) {
@@ -263,7 +263,7 @@ TEST(World, logsTruePosesFiftyTimesASecond) {
 TEST(TruthLog, tellsThatAFileCannotBeWritten) {
   const auto log = TruthLog::open("/no-such-folder/truth.csv");
   ASSERT_FALSE(log);
-  EXPECT_NE(log.error().sentence.find("/no-such-folder/truth.csv"), std::string::npos);
+  EXPECT_NE(log.error().sentence.english().find("/no-such-folder/truth.csv"), std::string::npos);
 }
 
 }  // namespace

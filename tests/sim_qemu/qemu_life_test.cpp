@@ -150,7 +150,7 @@ TEST_F(QemuLife, whatCannotStartSaysWhy) {
     QemuHost host{config};
     const auto started = host.start(Seconds{});
     ASSERT_FALSE(started);
-    EXPECT_NE(started.error().sentence.find(part), std::string::npos) << started.error().sentence;
+    EXPECT_NE(started.error().sentence.english().find(part), std::string::npos) << started.error().sentence;
     EXPECT_FALSE(host.running());
   };
   QemuConfig config = makeConfig();

@@ -23,7 +23,7 @@ protected:
     Transaction reading{database, Transaction::Kind::Read};
     Statement row{reading, QLatin1String{sql}};
     row.run();
-    return row.next() ? row.text(0) : reading.failed() ? reading.error()->sentence : "nothing";
+    return row.next() ? row.text(0) : reading.failed() ? reading.error()->sentence.english() : "nothing";
   }
   void spoil(std::initializer_list<const char*> statements) const {
     auto database = open();
@@ -142,11 +142,11 @@ TEST_F(DatabaseFile, inAFolderThatCannotBeUsedGivesASentence) {
   write(folder() / "plain", "a file, not a folder");
   const auto database = Database::open(folder() / "plain" / "tessera.db");
   ASSERT_FALSE(database);
-  EXPECT_NE(database.error().sentence.find("the folder cannot be made"), std::string::npos)
+  EXPECT_NE(database.error().sentence.english().find("the folder cannot be made"), std::string::npos)
       << database.error().sentence;
   const auto folderItself = Database::open(folder());
   ASSERT_FALSE(folderItself);
-  EXPECT_NE(folderItself.error().sentence.find("cannot be opened"), std::string::npos);
+  EXPECT_NE(folderItself.error().sentence.english().find("cannot be opened"), std::string::npos);
 }
 
 TEST_F(DatabaseFile, heldByAnotherWriterGivesASentenceAfterTheTimeToWait) {

@@ -20,7 +20,7 @@ protected:
   floor::Site loaded(const std::string& key) {
     auto site = store_.load(key);
     if (!site || !*site) {
-      ADD_FAILURE() << (site ? "nothing is kept as " + key : site.error().sentence);
+      ADD_FAILURE() << (site ? "nothing is kept as " + key : site.error().sentence.english());
       return {};
     }
     return **site;
@@ -98,7 +98,7 @@ TEST_F(Sites, keepNamesWithAnyCharacterAndRefuseBytesThatAreNone) {
   wrong.routes[0].name = "\xC3\x28";
   const auto saved = store_.save("k", wrong, 2, true);
   ASSERT_FALSE(saved);
-  EXPECT_NE(saved.error().sentence.find("no valid text"), std::string::npos);
+  EXPECT_NE(saved.error().sentence.english().find("no valid text"), std::string::npos);
   wrong = site;
   wrong.name = "\xC3\x28";
   EXPECT_FALSE(store_.save("k", wrong, 2, true));
@@ -197,7 +197,7 @@ TEST_F(Sites, withRowsThatNobodyWroteGiveASentence) {
     }
     const auto site = store_.load("k");
     ASSERT_FALSE(site) << sql;
-    EXPECT_NE(site.error().sentence.find("damaged"), std::string::npos);
+    EXPECT_NE(site.error().sentence.english().find("damaged"), std::string::npos);
     // The next saving of that section mends it only if it differs; so start anew.
     ASSERT_TRUE(store_.remove("k"));
     ASSERT_TRUE(store_.save("k", floor::randomSite(5), 1, true));

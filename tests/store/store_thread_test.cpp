@@ -118,7 +118,7 @@ TEST_F(Storage, waitsForAnotherCopyThatWritesAndTellsOnce) {
     EXPECT_EQ(recovered.count(), 0);
   }
   ASSERT_TRUE(QTest::qWaitFor([&] { return recovered.count() == 1; }));
-  EXPECT_EQ(failed[0][0].toString().toStdString(),
+  EXPECT_EQ(failed[0][0].value<Sentence>().english(),
             file().string() + ": another program is writing to this file. Close the other copy of Tessera.");
   EXPECT_EQ(recovered[0][0].toULongLong(), 0U);
   EXPECT_TRUE(storage.close());
@@ -181,7 +181,8 @@ TEST_F(Storage, goesOnByItselfWhenAFullDiskHasRoomAgain) {
   const bool told = QTest::qWaitFor([&] { return failed.count() == 1; });
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &old), 0);
   ASSERT_TRUE(told);
-  EXPECT_NE(failed[0][0].toString().indexOf(QStringLiteral("disk")), -1) << failed[0][0].toString().toStdString();
+  EXPECT_NE(failed[0][0].value<Sentence>().english().find("disk"), std::string::npos)
+      << failed[0][0].value<Sentence>().english();
   ASSERT_TRUE(QTest::qWaitFor([&] { return recovered.count() == 1; }, 20'000));
   EXPECT_TRUE(storage.close());
   EXPECT_EQ(written().size(), 10U);
@@ -214,7 +215,7 @@ TEST_F(Storage, tellsOfADamagedFileAtTheStartAndRefusesRequests) {
   const std::uint64_t request = storage.listSites();
   ASSERT_TRUE(QTest::qWaitFor([&] { return refused.count() == 1; }));
   EXPECT_EQ(refused[0][0].value<quint64>(), request);
-  EXPECT_EQ(refused[0][1].toString(), failed[0][0].toString());
+  EXPECT_EQ(refused[0][1].value<Sentence>(), failed[0][0].value<Sentence>());
   EXPECT_TRUE(storage.close()) << "nothing was left to write";
 }
 

@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
   if (argc != 2) return 2;
   const auto database = store::Database::open(argv[1]);
   if (!database) {
-    std::fprintf(stderr, "%s\n", database.error().sentence.c_str());
+    std::fprintf(stderr, "%s\n", database.error().sentence.english().c_str());
     return 1;
   }
   for (int round = 1;; ++round) {

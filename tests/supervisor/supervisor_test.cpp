@@ -76,7 +76,7 @@ TEST(Supervisor, refusesSitesVehiclesAndNamesThatDoNotExist) {
   rider.controller = "horse";
   const auto refused = Supervisor::create(map, rider);
   ASSERT_FALSE(refused.has_value());
-  EXPECT_NE(refused.error().sentence.find("horse"), std::string::npos);
+  EXPECT_NE(refused.error().sentence.english().find("horse"), std::string::npos);
 }
 
 TEST(Supervisor, refusesOrdersThatCannotBeCarriedOutWithTheReason) {

@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "ui/base/wording.h"
 #include "ui/commission/compass_page.h"
 #include "ui/commission/contact_page.h"
 #include "ui/commission/drive_page.h"
@@ -64,7 +65,7 @@ bool CommissionWizard::validateCurrentPage() {
   if (!QWizard::validateCurrentPage()) return false;
   if (currentId() != kFirmware) return true;
   if (const auto done = work_.enter(); !done) {
-    QMessageBox::warning(this, windowTitle(), QString::fromStdString(done.error().sentence));
+    QMessageBox::warning(this, windowTitle(), text(done.error().sentence));
     return false;
   }
   return true;

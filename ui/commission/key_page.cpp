@@ -8,6 +8,7 @@
 #include <QHideEvent>
 
 #include "ui/base/icon.h"
+#include "ui/base/wording.h"
 #include "ui/commission/vehicle_draft.h"
 #include "wire/pairing.h"
 
@@ -151,7 +152,7 @@ void KeyPage::useTypedKey() {
   showKey();
   typed_.clear();
   if (const auto done = work().enter(); !done)
-    result_.show(Notice::Tone::Error, QString::fromStdString(done.error().sentence));
+    result_.show(Notice::Tone::Error, text(done.error().sentence));
   else
     result_.show(Notice::Tone::Info, tr("The site now uses this key. Waiting for the vehicle…"));
 }

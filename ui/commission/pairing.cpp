@@ -46,7 +46,7 @@ void Pairing::start() {
   if (work_.silence().isEmpty()) return askForKey();
   await(Phase::Calling, tr("Calling a vehicle that is fresh from the factory…"));
   if (const auto entered = work_.enterAs(kFreshAddress, wire::kFactoryKey); !entered)
-    fail(QString::fromStdString(entered.error().sentence));
+    fail(text(entered.error().sentence));
 }
 
 void Pairing::look() {
@@ -95,8 +95,7 @@ void Pairing::takeKey() {
   work_.setDraft(draft);
   const VehicleId address = work_.address();
   await(Phase::CallingAgain, tr("It has its key. Waiting for it under the new key…"));
-  if (const auto entered = work_.enterAs(address, fresh_); !entered)
-    return fail(QString::fromStdString(entered.error().sentence));
+  if (const auto entered = work_.enterAs(address, fresh_); !entered) return fail(text(entered.error().sentence));
   work_.setPaired();
   if (address == work_.draft().id) finish();
 }
@@ -113,7 +112,7 @@ void Pairing::finish() {
   phase_ = Phase::Idle;
   patience_.stop();
   if (const auto entered = work_.enter(); !entered) {
-    Q_EMIT failed(QString::fromStdString(entered.error().sentence));
+    Q_EMIT failed(text(entered.error().sentence));
     return;
   }
   Q_EMIT done();

@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "base/polyline.h"
+#include "ui/base/wording.h"
 
 namespace tessera::ui {
 namespace {
@@ -179,7 +180,7 @@ void RoutePanel::duplicate() {
 }
 
 void RoutePanel::tell(const Result<void>& result) {
-  if (!result) Q_EMIT refused(QString::fromStdString(result.error().sentence));
+  if (!result) Q_EMIT refused(text(result.error().sentence));
 }
 
 void RoutePanel::changeEvent(QEvent* event) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/base/wording.h"
 #include "ui/canvas/route_painter.h"
 
 namespace tessera::ui {
@@ -45,7 +46,7 @@ void RouteTool::touch() {
 }
 
 void RouteTool::tell(const Result<void>& result) {
-  if (!result) Q_EMIT refused(QString::fromStdString(result.error().sentence));
+  if (!result) Q_EMIT refused(text(result.error().sentence));
 }
 
 void RouteTool::forgetUnfinished() {

@@ -2,6 +2,8 @@
 
 #include <QLocale>
 
+#include "ui/base/wording.h"
+
 namespace tessera::ui {
 
 VertexModel::VertexModel(SiteDocument& document, QObject* parent) : QAbstractTableModel{parent}, edits_{document} {}
@@ -73,7 +75,7 @@ bool VertexModel::setData(const QModelIndex& index, const QVariant& value, int r
   (index.column() == kX ? place.x : place.y) = edited.x;
   if (QLocale().toString(metres, 'f', 3) == data(index, Qt::DisplayRole).toString()) return true;
   const auto done = edits_.moveVertex(route_, n, place);
-  if (!done) Q_EMIT refused(QString::fromStdString(done.error().sentence));
+  if (!done) Q_EMIT refused(text(done.error().sentence));
   return done.has_value();
 }
 

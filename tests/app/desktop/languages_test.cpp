@@ -6,8 +6,10 @@
 #include <QFile>
 #include <QGlyphRun>
 #include <QLabel>
+#include <QMessageBox>
 #include <QRegularExpression>
 #include <QTextLayout>
+#include <QTimer>
 #include <QXmlStreamReader>
 
 #include "app/desktop/desktop_fixture.h"
@@ -74,6 +76,38 @@ TEST_F(ChineseWindow, showsNoEnglishWords) {
   for (const auto* action : window->findChildren<QAction*>())
     if (isForeign(action->text())) foreign << action->text();
   EXPECT_TRUE(foreign.isEmpty()) << foreign.join(QStringLiteral(" | ")).toStdString();
+}
+
+TEST_F(ChineseWindow, saysWhatIsWrongWithAFile) {
+  ASSERT_NO_FATAL_FAILURE(openWindow(false));
+  trigger("language_zh_CN");
+  const QString path = home.filePath("1.tessera.json");
+  const auto told = [&] {
+    QString text;
+    auto* look = new QTimer{window.get()};
+    QObject::connect(look, &QTimer::timeout, look, [look, &text] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (box == nullptr) return;
+      text = box->text();
+      look->deleteLater();
+      QTest::keyClick(box, Qt::Key_Return);
+    });
+    look->start(20);
+    EXPECT_FALSE(window->files().open(path));
+    return text.remove(path).toStdString();
+  };
+  const auto toldOf = [&](const QByteArray& contents) {
+    QFile file{path};
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(contents);
+    file.close();
+    return told();
+  };
+  EXPECT_EQ(told(), "：无法读取：没有这个文件或文件夹。");
+  EXPECT_EQ(toldOf("{\"format\": "), "：第 1 行第 12 列：应为 JSON（RFC 8259），实际为其他内容。");
+  EXPECT_EQ(toldOf(R"({"format": "tessera-site", "version": 1, "name": ""})"),
+            "：/name：应为：1 到 200 个字符的文本；实际为：\"\"。");
+  trigger("language_en");
 }
 
 }  // namespace

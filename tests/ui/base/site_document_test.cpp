@@ -91,7 +91,7 @@ TEST_F(OpenDocument, refusesWhatContradictsItselfAndChangesNothing) {
   const auto before = document.map();
   const auto refused = add("north");
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().sentence.find("north"), std::string::npos) << refused.error().sentence;
+  EXPECT_NE(refused.error().sentence.english().find("north"), std::string::npos) << refused.error().sentence;
   EXPECT_EQ(document.map(), before);
   EXPECT_EQ(document.undoStack().count(), 1);
   EXPECT_EQ(changed.size(), 1);
