@@ -79,7 +79,7 @@ bool allDrive(desktop::MainWindow& window) {
 
 int measure(double seconds) {
   desktop::MainWindow window;
-  window.restore(false);
+  window.restore();
   window.resize(1600, 900);
   window.show();
   if (!window.files().open(QStringLiteral(TESSERA_SITES "/three.tessera.json"))) return 1;

@@ -16,12 +16,22 @@ namespace {
 
 constexpr int kRestMs = 400;  // edits of one drag are kept once
 constexpr int kHistory = 300;
+constexpr int kPage = 500;
 
 Sentence sentenceOf(const store::Wording& wording) {
   if (!wording.isPattern) return wording.text;
   std::vector<Sentence> arguments;
   for (const auto& argument : wording.arguments) arguments.push_back(sentenceOf(argument));
   return Sentence::restored(wording.text, std::move(arguments));
+}
+
+/// Oldest first.
+std::vector<ui::JournalLine> linesOf(const store::JournalPage& page) {
+  std::vector<ui::JournalLine> lines;
+  for (auto entry = page.entries.rbegin(); entry != page.entries.rend(); ++entry)
+    lines.push_back(
+        {QDateTime::fromMSecsSinceEpoch(entry->utcMs), entry->severity, entry->vehicle, sentenceOf(entry->wording)});
+  return lines;
 }
 
 }  // namespace
@@ -46,13 +56,12 @@ Keeper::Keeper(ui::SiteDocument& document, ui::FleetLink& fleet, QObject* parent
           [this](const Sentence& sentence) { Q_EMIT failed(ui::text(sentence)); });
   connect(store_.get(), &store::StoreThread::journalFound, this,
           [this](quint64 request, const store::JournalPage& page) {
-            if (request != history_) return;
-            std::vector<ui::JournalLine> lines;
-            for (auto entry = page.entries.rbegin(); entry != page.entries.rend(); ++entry)
-              lines.push_back({QDateTime::fromMSecsSinceEpoch(entry->utcMs), entry->severity, entry->vehicle,
-                               sentenceOf(entry->wording)});
-            Q_EMIT historyLoaded(lines);
+            if (request == history_) Q_EMIT historyLoaded(linesOf(page));
+            if (request == page_) takePage(page);
           });
+  connect(store_.get(), &store::StoreThread::requestFailed, this, [this](quint64 request, const Sentence& sentence) {
+    if (request == page_) Q_EMIT dayFailed(ui::text(sentence));
+  });
   store_->start();
   edits_.setSingleShot(true);
   edits_.setInterval(kRestMs);
@@ -79,6 +88,23 @@ std::shared_ptr<const floor::SiteMap> Keeper::unsaved(const QString& path) {
   if (!site || !*site) return nullptr;
   const auto map = floor::SiteMap::build(std::move(**site));
   return map ? *map : nullptr;
+}
+
+std::vector<Keeper::Homeless> Keeper::homeless() {
+  std::vector<Homeless> found;
+  auto database = store::Database::open(databasePath().toStdString());
+  if (!database) return found;
+  const store::SiteStore sites{**database};
+  const auto kept = sites.list();
+  if (!kept) return found;
+  for (const store::KeptSite& site : *kept) {
+    if (!site.differsFromFile || !site.file().empty() || site.key == key_) continue;
+    auto loaded = sites.load(site.key);
+    if (!loaded || !*loaded) continue;
+    if (const auto map = floor::SiteMap::build(std::move(**loaded)))
+      found.push_back({site.key, QDateTime::fromMSecsSinceEpoch(site.savedUtcMs), *map});
+  }
+  return found;
 }
 
 void Keeper::onSaved(const QString& path) {
@@ -109,6 +135,33 @@ void Keeper::loadHistory() {
   store::JournalFilter filter;
   filter.limit = kHistory;
   history_ = store_->queryJournal(filter);
+}
+
+void Keeper::readDay(const ui::JournalDay& day) {
+  day_ = {};
+  day_.fromUtcMs = day.day.startOfDay().toMSecsSinceEpoch();
+  day_.untilUtcMs = day.day.addDays(1).startOfDay().toMSecsSinceEpoch();
+  day_.vehicle = day.vehicle;
+  day_.atLeast = day.least;
+  day_.limit = kPage;
+  ofDay_ = 0;
+  askForPage();
+}
+
+void Keeper::askForPage() {
+  page_ = store_->queryJournal(day_);
+  if (page_ == 0) Q_EMIT dayFailed(tr("The journal cannot be read just now. Try again in a moment."));
+}
+
+void Keeper::takePage(const store::JournalPage& page) {
+  ofDay_ += page.entries.size();
+  const bool on = page.more && ofDay_ < ui::EventModel::kMost;
+  Q_EMIT dayRead(linesOf(page), on          ? ui::JournalPart::Page
+                                : page.more ? ui::JournalPart::TooMany
+                                            : ui::JournalPart::Last);
+  if (!on) return;
+  day_.beforeId = page.entries.back().id;
+  askForPage();
 }
 
 bool Keeper::close() {

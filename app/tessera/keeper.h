@@ -14,6 +14,7 @@
 #include "ui/base/fleet_link.h"
 #include "ui/base/site_document.h"
 #include "ui/fleet/event_model.h"
+#include "ui/fleet/journal.h"
 
 namespace tessera::desktop {
 
@@ -25,6 +26,17 @@ public:
 
   /// What an earlier run left unsaved of the site in this file; null: nothing.
   [[nodiscard]] std::shared_ptr<const floor::SiteMap> unsaved(const QString& path);
+  /// A site that an earlier run left behind unsaved and without a file.
+  struct Homeless {
+    std::string key;
+    QDateTime when;  ///< kept last
+    std::shared_ptr<const floor::SiteMap> map;
+  };
+  /// The latest first.
+  [[nodiscard]] std::vector<Homeless> homeless();
+  /// The open site is the one that was kept under this key.
+  void goOnAs(const std::string& key) { key_ = key; }
+  void forget(const std::string& key) { store_->removeSite(key); }
   /// The open site was saved to this file.
   void onSaved(const QString& path);
   /// Changes to this file's site, or with an empty path to the open one, shall be forgotten.
@@ -33,6 +45,8 @@ public:
   void keepNow() { keepSite(document_.isModified()); }
   /// Asks for the journal's end, which comes with historyLoaded().
   void loadHistory();
+  /// Asks for a day of the journal, which comes with dayRead() page by page, unless another one is asked for.
+  void readDay(const ui::JournalDay& day);
   /// Writes what waits. False: not all could be written.
   bool close();
 
@@ -42,7 +56,9 @@ public:
 
 Q_SIGNALS:
   void historyLoaded(const std::vector<tessera::ui::JournalLine>& lines);
-  /// A complete sentence.
+  void dayRead(const std::vector<tessera::ui::JournalLine>& lines, tessera::ui::JournalPart part);
+  /// Complete sentences.
+  void dayFailed(const QString& sentence);
   void failed(const QString& sentence);
 
 private:
@@ -53,7 +69,13 @@ private:
   std::unique_ptr<store::StoreThread> store_;
   QTimer edits_;
   std::string key_;  // of the open site
+  void askForPage();
+  void takePage(const store::JournalPage& page);
+
   quint64 history_ = 0;
+  quint64 page_ = 0;  // of the day that was asked for last
+  store::JournalFilter day_;
+  std::size_t ofDay_ = 0;  // so many lines of it have come
 };
 
 }  // namespace tessera::desktop

@@ -70,11 +70,14 @@ tessera::ui::ConnectionChoice choiceOf(const QString& words, int baud) {
 int runWindow(const Words& words, bool driving) {
   using namespace tessera::desktop;
   MainWindow window;
-  window.restore(words.site.empty() && !words.demo);
+  window.restore();
   if (!words.language.empty()) window.setLanguage(QString::fromStdString(words.language));
   if (!words.appearance.empty()) window.setAppearance(appearanceOf(QString::fromStdString(words.appearance)));
   window.session().setEmulated(words.emulated);
-  const PoliteEnd politeEnd{[&window] { window.endUnasked(); }};
+  const PoliteEnd politeEnd{[&window] {
+    window.endUnasked();
+    QApplication::exit();
+  }};
   window.show();
   QString failure;
   if (driving) {
@@ -90,6 +93,7 @@ int runWindow(const Words& words, bool driving) {
   }
   // From within the event loop, which a question may have to leave.
   QTimer::singleShot(0, &window, [&] {
+    if (words.site.empty() && !words.demo) window.reopen();
     if (!words.site.empty() && !window.files().open(QString::fromStdString(words.site)))
       failure = QStringLiteral("The site was not opened.");
     if (words.demo) window.openDemo();

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDialog>
 #include <QDockWidget>
 #include <QFile>
 #include <QLabel>
@@ -91,7 +92,7 @@ void MainWindow::buildStatusBar() {
   statusBar()->addPermanentWidget(port_);
 }
 
-void MainWindow::restore(bool reopen) {
+void MainWindow::restore() {
   setLanguage(settings_.language().isEmpty() ? Languages::ofSystem() : settings_.language());
   setAppearance(settings_.appearance());
   if (!restoreGeometry(settings_.geometry())) resize(1280, 820);
@@ -100,7 +101,11 @@ void MainWindow::restore(bool reopen) {
   panels_->setShown(open_);
   showRecent();
   keeper_->loadHistory();
-  if (reopen && !settings_.site().isEmpty() && QFile::exists(settings_.site())) files_->open(settings_.site());
+}
+
+void MainWindow::reopen() {
+  if (files_->openHomeless() || unasked_) return;
+  if (!settings_.site().isEmpty() && QFile::exists(settings_.site())) files_->open(settings_.site());
 }
 
 void MainWindow::setLanguage(const QString& code) {
@@ -117,13 +122,14 @@ void MainWindow::setAppearance(Appearance appearance) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!unasked_ && !files_->mayLeave()) {
+  // The question itself may be ended by an end that does not ask.
+  if (!unasked_ && !files_->mayLeave() && !unasked_) {
     event->ignore();
     return;
   }
   panels_->setShown(true);  // the start page hides them; that is no choice to remember
   settings_.setWindow(saveGeometry(), saveState());
-  settings_.setSite(document_.path());
+  if (open_) settings_.setSite(document_.path());  // else the question about the last one may be open still
   hide();
   session_->close();
   keeper_->close();
@@ -132,8 +138,11 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 void MainWindow::endUnasked() {
   unasked_ = true;
-  while (QWidget* dialogue = QApplication::activeModalWidget()) {
-    if (!dialogue->close()) break;
+  while (QWidget* popup = QApplication::activePopupWidget()) popup->hide();
+  // Not close(), and not reject(): both may ask.
+  while (auto* dialogue = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
+    dialogue->done(QDialog::Rejected);
+    if (dialogue->isVisible()) break;
   }
   close();
 }

@@ -47,8 +47,10 @@ public:
   [[nodiscard]] ui::FloorCanvas& canvas() { return *canvas_; }
   [[nodiscard]] Keeper& keeper() { return *keeper_; }
 
-  /// Window, panels, language and appearance as they were; then the site that was open, if `reopen`.
-  void restore(bool reopen);
+  /// Window, panels, language and appearance as they were.
+  void restore();
+  /// The site that was open, or one that was left behind unsaved; asks where it must, so the event loop has to run.
+  void reopen();
   void setLanguage(const QString& code);
   void setAppearance(Appearance appearance);
   /// Opens the demo floor and supervises its simulated vehicles.

@@ -115,17 +115,44 @@ bool SiteFiles::read(const QString& path) {
 }
 
 SiteFiles::Recovery SiteFiles::askRecovery(const QString& path) {
-  QMessageBox box{QMessageBox::Question, tr("Unsaved changes were kept"),
-                  tr("When %1 was open last, the program ended before its changes were saved. Take them up again?")
-                      .arg(QFileInfo{path}.fileName()),
-                  QMessageBox::NoButton, above()};
-  box.setObjectName(QStringLiteral("recoverQuestion"));
-  QAbstractButton* take = box.addButton(tr("&Take them up"), QMessageBox::AcceptRole);
-  QAbstractButton* forget = box.addButton(tr("&Forget them"), QMessageBox::DestructiveRole);
+  return ask("recoverQuestion", tr("Unsaved changes were kept"),
+             tr("When %1 was open last, the program ended before its changes were saved. Take them up again?")
+                 .arg(QFileInfo{path}.fileName()),
+             tr("&Take them up"), tr("&Forget them"));
+}
+
+SiteFiles::Recovery SiteFiles::ask(const char* name, const QString& title, const QString& question,
+                                   const QString& takeUp, const QString& forget) {
+  QMessageBox box{QMessageBox::Question, title, question, QMessageBox::NoButton, above()};
+  box.setObjectName(QLatin1String{name});
+  QAbstractButton* take = box.addButton(takeUp, QMessageBox::AcceptRole);
+  QAbstractButton* leave = box.addButton(forget, QMessageBox::DestructiveRole);
   box.setDefaultButton(qobject_cast<QPushButton*>(take));
   box.exec();
   if (box.clickedButton() == take) return Recovery::TakeUp;
-  return box.clickedButton() == forget ? Recovery::Forget : Recovery::Undecided;
+  return box.clickedButton() == leave ? Recovery::Forget : Recovery::Undecided;
+}
+
+bool SiteFiles::openHomeless() {
+  for (const Homeless& kept : homeless_ ? homeless_() : std::vector<Homeless>{}) {
+    const QString name = QString::fromStdString(kept.map->site().name);
+    switch (ask("homelessQuestion", tr("An unsaved site was kept"),
+                tr("The site “%1” was in no file yet when the program ended (%2). Open it again?").arg(name, kept.when),
+                tr("&Open it"), tr("&Forget it"))) {
+      case Recovery::TakeUp:
+        document_.replace(kept.map, {});
+        document_.markUnsaved();
+        Q_EMIT takenUp(kept.key);
+        Q_EMIT opened();
+        return true;
+      case Recovery::Forget:
+        Q_EMIT forgotten(kept.key);
+        break;
+      case Recovery::Undecided:
+        return false;
+    }
+  }
+  return false;
 }
 
 bool SiteFiles::save() { return document_.path().isEmpty() ? saveAs() : writeTo(document_.path()); }

@@ -4,6 +4,8 @@
 #include <QObject>
 #include <QString>
 #include <functional>
+#include <memory>
+#include <vector>
 
 #include "app/tessera/settings.h"
 #include "ui/base/site_document.h"
@@ -22,6 +24,8 @@ public:
   bool openAsking();
   bool openDemo();
   bool create();
+  /// Offers a site that was never saved to a file and was left behind when the program ended. False: none was opened.
+  bool openHomeless();
   /// Asks for a name where there is none yet. False: not saved.
   bool save();
   bool saveAs();
@@ -38,6 +42,14 @@ public:
     recovery_ = std::move(recovery);
   }
 
+  /// Sites without a file that earlier runs left behind.
+  struct Homeless {
+    QString key;
+    QString when;
+    std::shared_ptr<const floor::SiteMap> map;
+  };
+  void setHomeless(std::function<std::vector<Homeless>()> homeless) { homeless_ = std::move(homeless); }
+
 Q_SIGNALS:
   /// A site stands in the document that was not there before.
   void opened();
@@ -45,6 +57,10 @@ Q_SIGNALS:
   void saved(const QString& path);
   /// The changes to this file's site, or with an empty path to one that has none yet, shall be forgotten.
   void givenUp(const QString& path);
+  /// The site in the document is the one that was kept under this key.
+  void takenUp(const QString& key);
+  /// What was kept under this key shall be forgotten.
+  void forgotten(const QString& key);
 
 private:
   bool read(const QString& path);
@@ -52,6 +68,8 @@ private:
   /// Undecided: the question was closed without an answer, as when the program has to end.
   enum class Recovery { TakeUp, Forget, Undecided };
   [[nodiscard]] Recovery askRecovery(const QString& path);
+  [[nodiscard]] Recovery ask(const char* name, const QString& title, const QString& question, const QString& takeUp,
+                             const QString& forget);
   [[nodiscard]] QWidget* above() const;
   void tell(const QString& title, const QString& sentence);
 
@@ -59,6 +77,7 @@ private:
   Settings& settings_;
   QWidget& window_;
   std::function<std::shared_ptr<const floor::SiteMap>(const QString&)> recovery_;
+  std::function<std::vector<Homeless>()> homeless_;
 };
 
 }  // namespace tessera::desktop

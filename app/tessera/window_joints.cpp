@@ -58,6 +58,15 @@ void MainWindow::joinSite() {
   connect(files_, &SiteFiles::saved, keeper_, &Keeper::onSaved);
   connect(files_, &SiteFiles::givenUp, keeper_, &Keeper::onGivenUp);
   files_->setRecovery([this](const QString& path) { return keeper_->unsaved(path); });
+  files_->setHomeless([this] {
+    std::vector<SiteFiles::Homeless> sites;
+    for (const auto& kept : keeper_->homeless())
+      sites.push_back(
+          {QString::fromStdString(kept.key), QLocale{}.toString(kept.when, QLocale::ShortFormat), kept.map});
+    return sites;
+  });
+  connect(files_, &SiteFiles::takenUp, keeper_, [this](const QString& key) { keeper_->goOnAs(key.toStdString()); });
+  connect(files_, &SiteFiles::forgotten, keeper_, [this](const QString& key) { keeper_->forget(key.toStdString()); });
   connect(keeper_, &Keeper::failed, this, &MainWindow::tell);
   connect(start_, &ui::StartPage::demoRequested, this, &MainWindow::openDemo);
   connect(start_, &ui::StartPage::newRequested, files_, &SiteFiles::create);
@@ -175,6 +184,9 @@ void MainWindow::joinPanels() {
   connect(canvas_, &ui::FloorCanvas::hintChanged, hint_, &QLabel::setText);
   panels_->events->setClock(&Keeper::wallClock);
   connect(keeper_, &Keeper::historyLoaded, panels_->events, &ui::EventPanel::prepend);
+  connect(panels_->events, &ui::EventPanel::dayWanted, keeper_, &Keeper::readDay);
+  connect(keeper_, &Keeper::dayRead, panels_->events, &ui::EventPanel::showDay);
+  connect(keeper_, &Keeper::dayFailed, panels_->events, &ui::EventPanel::showDayFailure);
 }
 
 void MainWindow::showSite() {

@@ -31,6 +31,8 @@ public:
   void replace(std::shared_ptr<const floor::SiteMap> map, const QString& path);
   /// What stands now is saved.
   void markSaved();
+  /// What stands now is in no file, though nothing was edited since replace().
+  void markUnsaved() { undo_.resetClean(); }
 
   /// One step, e.g. edit(tr("Move vertex"), [](Site& s) {...}). The change may touch all but tile types, tiles,
   /// placements and loose tags. Steps in a row with the same mergeKey (0: never) become one, as in a drag.

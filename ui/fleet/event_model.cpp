@@ -38,8 +38,7 @@ void EventModel::prepend(const std::vector<JournalLine>& lines) {
   if (take == 0) return;
   beginInsertRows({}, 0, static_cast<int>(take) - 1);
   for (std::size_t i = 0; i < take; ++i) {
-    const JournalLine& line = lines[lines.size() - 1 - i];
-    lines_.push_front({line.when, line.severity, line.vehicle, line.sentence});
+    lines_.push_front(lines[lines.size() - 1 - i]);
   }
   endInsertRows();
 }
@@ -67,7 +66,7 @@ QString EventModel::nameOf(const std::optional<VehicleId>& vehicle) const {
   return known == nullptr ? tr("Vehicle %1").arg(vehicle->value) : QString::fromStdString(known->name);
 }
 
-QString EventModel::shown(const Line& line, int column) const {
+QString EventModel::shown(const JournalLine& line, int column) const {
   const QLocale locale;
   switch (column) {
     case When: {
@@ -87,7 +86,7 @@ QString EventModel::shown(const Line& line, int column) const {
 
 QVariant EventModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
-  const Line& line = lines_.at(static_cast<std::size_t>(index.row()));
+  const JournalLine& line = lines_.at(static_cast<std::size_t>(index.row()));
   const int column = index.column();
   switch (role) {
     case Qt::DisplayRole:
@@ -98,6 +97,8 @@ QVariant EventModel::data(const QModelIndex& index, int role) const {
       return line.vehicle ? QVariant{static_cast<int>(line.vehicle->value)} : QVariant{};
     case SeverityRole:
       return static_cast<int>(line.severity);
+    case TimeRole:
+      return line.when;
     case IconRole:
       if (column != What) return {};
       if (line.severity == Severity::Info) return QStringLiteral("info");

@@ -14,17 +14,10 @@
 #include "supervisor/event.h"
 #include "ui/base/site_document.h"
 #include "ui/base/wording.h"
+#include "ui/fleet/journal.h"
 #include "ui/fleet/roles.h"
 
 namespace tessera::ui {
-
-/// A line that was written in an earlier run of the program.
-struct JournalLine {
-  QDateTime when;
-  supervisor::Severity severity = supervisor::Severity::Info;
-  std::optional<VehicleId> vehicle;
-  std::variant<QString, Sentence> sentence;  ///< as it was shown, or so that it can be shown in any language
-};
 
 class EventModel : public QAbstractTableModel {
   Q_OBJECT
@@ -47,20 +40,13 @@ public:
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
-  struct Line {
-    QDateTime when;
-    supervisor::Severity severity = supervisor::Severity::Info;
-    std::optional<VehicleId> vehicle;
-    std::variant<QString, Sentence> sentence;  ///< live ones follow the language
-  };
-
   void trim(std::size_t coming);
-  [[nodiscard]] QString shown(const Line& line, int column) const;
+  [[nodiscard]] QString shown(const JournalLine& line, int column) const;
   [[nodiscard]] QString nameOf(const std::optional<VehicleId>& vehicle) const;
 
   SiteDocument& document_;
   std::function<QDateTime(Seconds)> clock_;
-  std::deque<Line> lines_;
+  std::deque<JournalLine> lines_;
 };
 
 class EventFilter : public QSortFilterProxyModel {

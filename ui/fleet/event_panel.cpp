@@ -1,9 +1,7 @@
 #include "ui/fleet/event_panel.h"
 
 #include <QAction>
-#include <QClipboard>
 #include <QEvent>
-#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QScrollBar>
@@ -17,12 +15,13 @@
 namespace tessera::ui {
 
 EventPanel::EventPanel(FleetLink& link, Selection& selection, SiteDocument& document, QWidget* parent)
-    : QWidget{parent}, link_{link}, selection_{selection}, document_{document}, model_{document} {
+    : QWidget{parent}, link_{link}, selection_{selection}, document_{document}, model_{document}, past_{document} {
   setObjectName(QStringLiteral("eventPanel"));
   shown_.setSourceModel(&model_);
   build();
   connect(&link_, &FleetLink::eventsArrived, this, [this](const std::vector<supervisor::Event>& events) {
     model_.append(events);
+    if (showsDay()) return;
     showWhatThereIs();
     if (atEnd_) view_->scrollToBottom();
   });
@@ -59,11 +58,28 @@ void EventPanel::build() {
   words_->setObjectName(QStringLiteral("wordsFilter"));
   words_->setClearButtonEnabled(true);
   words_->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
-  connect(severity_, &QComboBox::currentIndexChanged, this, &EventPanel::filter);
-  connect(vehicle_, &QComboBox::currentIndexChanged, this, &EventPanel::filter);
+  for (QComboBox* choice : {severity_, vehicle_}) {
+    connect(choice, &QComboBox::currentIndexChanged, this, &EventPanel::filter);
+    connect(choice, &QComboBox::currentIndexChanged, this, [this] {
+      if (showsDay()) askForDay();
+    });
+  }
   connect(words_, &QLineEdit::textChanged, this, &EventPanel::filter);
   toEnd_ = makeButton(QStringLiteral("toEndButton"), QStringLiteral("to-end"), &EventPanel::goToEnd);
   copy_ = makeButton(QStringLiteral("copyEventsButton"), QStringLiteral("copy"), &EventPanel::copy);
+  save_ = makeButton(QStringLiteral("saveEventsButton"), QStringLiteral("export"), &EventPanel::save);
+  byDay_ = new QToolButton{this};
+  byDay_->setObjectName(QStringLiteral("byDayButton"));
+  byDay_->setIcon(icon(QStringLiteral("journal")));
+  byDay_->setAutoRaise(true);
+  byDay_->setCheckable(true);
+  byDay_->setFocusPolicy(Qt::StrongFocus);
+  connect(byDay_, &QToolButton::toggled, this, &EventPanel::chooseDay);
+  days_ = new DayBar{this};
+  days_->hide();
+  connect(days_, &DayBar::dayChosen, this, &EventPanel::askForDay);
+  connect(days_, &DayBar::left, this, [this] { byDay_->setChecked(false); });
+  tooMany_ = new Notice{this};
   clear_ = makeButton(QStringLiteral("clearEventsButton"), QStringLiteral("delete"), &EventPanel::clear);
 
   view_ = new QTreeView{this};
@@ -102,8 +118,10 @@ void EventPanel::build() {
   bar->addWidget(severity_);
   bar->addWidget(vehicle_);
   bar->addWidget(words_, 1);
+  bar->addWidget(byDay_);
   bar->addWidget(toEnd_);
   bar->addWidget(copy_);
+  bar->addWidget(save_);
   bar->addWidget(clear_);
   auto* below = new QWidget{this};
   pages_ = new QStackedLayout{below};
@@ -111,6 +129,8 @@ void EventPanel::build() {
   pages_->addWidget(nothing_);
   auto* column = new QVBoxLayout{this};
   column->addLayout(bar);
+  column->addWidget(days_);
+  column->addWidget(tooMany_);
   column->addWidget(below, 1);
 }
 
@@ -136,10 +156,15 @@ void EventPanel::retranslate() {
   copy_->setToolTip(tr("Copy the selected events, or all that are listed (%1)")
                         .arg(QKeySequence{QKeySequence::Copy}.toString(QKeySequence::NativeText)));
   copy_->setAccessibleName(tr("Copy"));
+  save_->setToolTip(tr("Save all that are listed as a table (CSV)"));
+  save_->setAccessibleName(tr("Save as a table"));
+  byDay_->setToolTip(tr("Show a day of the journal"));
+  byDay_->setAccessibleName(tr("Show a day of the journal"));
   clear_->setToolTip(tr("Empty this list. The journal keeps what happened."));
   clear_->setAccessibleName(tr("Empty the list"));
   view_->setAccessibleName(tr("What happened"));
   model_.refreshTexts();
+  past_.refreshTexts();
   takeVehicles();
 }
 
@@ -166,11 +191,16 @@ void EventPanel::filter() {
 }
 
 void EventPanel::showAll() {
+  if (showsDay() && past_.rowCount() == 0 && !shown_.isActive()) {
+    byDay_->setChecked(false);
+    return;
+  }
   const QSignalBlocker quiet{words_};
   words_->clear();
   severity_->setCurrentIndex(0);
   vehicle_->setCurrentIndex(0);
   filter();
+  if (showsDay()) askForDay();
 }
 
 void EventPanel::goToEnd() {
@@ -183,10 +213,18 @@ void EventPanel::showWhatThereIs() {
   const bool some = shown_.rowCount() > 0;
   pages_->setCurrentIndex(some ? 0 : 1);
   copy_->setEnabled(some);
-  clear_->setEnabled(model_.rowCount() > 0);
+  save_->setEnabled(some);
+  clear_->setEnabled(!showsDay() && model_.rowCount() > 0);
   if (some) return;
-  if (shown_.isActive() && model_.rowCount() > 0) {
+  if (showsDay() && reading_) {
+    nothing_->setTexts(tr("Reading the journal…"));
+  } else if (!failure_.isEmpty() && showsDay()) {
+    nothing_->setTexts(failure_, tr("Go back to &now"));
+  } else if (shown_.isActive() && (showsDay() || model_.rowCount() > 0)) {
     nothing_->setTexts(tr("No event matches what is asked for above."), tr("Show &all"));
+  } else if (showsDay()) {
+    nothing_->setTexts(tr("Nothing was written into the journal on this day. Choose another one, or go back to now."),
+                       tr("Go back to &now"));
   } else {
     nothing_->setTexts(tr("Nothing has happened yet. What vehicles do and what goes wrong is told here."));
   }
@@ -205,27 +243,12 @@ void EventPanel::clear() {
   showWhatThereIs();
 }
 
-void EventPanel::copy() {
-  QModelIndexList rows = view_->selectionModel()->selectedRows();
-  std::sort(rows.begin(), rows.end());
-  if (rows.isEmpty())
-    for (int row = 0; row < shown_.rowCount(); ++row) rows.append(shown_.index(row, 0));
-  QStringList lines;
-  for (const QModelIndex& row : rows) {
-    QStringList cells;
-    for (int column = 0; column < EventModel::ColumnCount; ++column)
-      cells.append(row.siblingAtColumn(column).data().toString());
-    lines.append(cells.join(QLatin1Char('\t')));
-  }
-  QGuiApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
-}
-
 void EventPanel::sizeColumns() {
   const QFontMetrics metrics = view_->fontMetrics();
   const int space = metrics.height();
   int time = metrics.horizontalAdvance(QStringLiteral("00:00:00"));
-  if (model_.rowCount() > 0)  // the oldest one may need its date
-    time = std::max(time, metrics.horizontalAdvance(model_.index(0, EventModel::When).data().toString()));
+  if (listed().rowCount() > 0)  // the oldest one may need its date
+    time = std::max(time, metrics.horizontalAdvance(listed().index(0, EventModel::When).data().toString()));
   view_->setColumnWidth(EventModel::When, time + space);
   view_->setColumnWidth(EventModel::Who, metrics.horizontalAdvance(QStringLiteral("AGV 100")) + space);
 }

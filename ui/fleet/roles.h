@@ -13,6 +13,7 @@ enum FleetRole {
   ToneRole,      ///< int(Tone)
   DotRole,       ///< QColor of the vehicle
   PermilleRole,  ///< int, drawn as a bar
+  TimeRole,      ///< QDateTime of an event
 };
 
 }  // namespace tessera::ui

@@ -182,5 +182,27 @@ TEST_F(NewVehicle, hasAKeyThatIsOfferedToBeSavedWhereOtherChangesAreNot) {
   EXPECT_FALSE(window->isWindowModified());
 }
 
+TEST_F(NewVehicle, isNotGivenUpByAnEndThatDoesNotAsk) {
+  ASSERT_TRUE(window->files().open(path()));
+  ASSERT_NO_FATAL_FAILURE(connectToWorld());
+  drawRoute({{0.3, 0.3}, {0.3, 1.5}});
+  wire::Key key{};
+  inDialogue(QStringLiteral("commissionWizard"), [&](QDialog& dialog) {
+    WizardHands hands{dynamic_cast<CommissionWizard&>(dialog)};
+    describe(hands, "Ant");
+    ASSERT_NO_FATAL_FAILURE(pair(hands));
+    key = dynamic_cast<CommissionWizard&>(dialog).draft().key;
+    window->endUnasked();
+    EXPECT_FALSE(dialog.isVisible()) << "the wizard asks before it gives up a paired vehicle; not now";
+  });
+  trigger("commission");
+  EXPECT_FALSE(window->isVisible());
+  window.reset();
+  answerQuestion("recoverQuestion", "Take them up");
+  ASSERT_NO_FATAL_FAILURE(openWindow());
+  ASSERT_FALSE(window->document().site().vehicles.empty());
+  EXPECT_EQ(window->document().site().vehicles.back().key, key);
+}
+
 }  // namespace
 }  // namespace tessera::desktop

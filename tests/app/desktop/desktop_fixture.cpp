@@ -33,14 +33,14 @@ DesktopTest::~DesktopTest() {
 
 void DesktopTest::openWindow(bool reopen) {
   window = std::make_unique<MainWindow>();
-  window->restore(false);
+  window->restore();
   window->setLanguage(QStringLiteral("en"));
   window->setAppearance(Appearance::Light);
   window->show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
   window->activateWindow();  // shortcuts are the active window's
   ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
-  if (reopen) window->restore(true);
+  if (reopen) window->reopen();
 }
 
 bool DesktopTest::closeWindow() {

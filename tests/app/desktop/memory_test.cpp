@@ -30,8 +30,9 @@ TEST_F(Memory, bringsBackTheSiteThePanelsAndTheLanguage) {
   ASSERT_TRUE(closeWindow());
 
   window = std::make_unique<MainWindow>();
-  window->restore(true);
+  window->restore();
   window->show();
+  window->reopen();
   EXPECT_EQ(window->document().path(), path);
   EXPECT_EQ(window->size(), QSize(1111, 777));
   EXPECT_TRUE(find<QDockWidget>("routesDock")->isHidden());
@@ -55,6 +56,91 @@ TEST_F(Memory, takesUpWhatWasNotSavedWhenTheProgramDied) {
   EXPECT_TRUE(window->isWindowModified()) << "its file does not have them yet";
   window->document().undoStack().undo();
   EXPECT_NE(window->document().site(), drawn) << "the file's own contents are one step back";
+}
+
+class NewSite : public Memory {
+protected:
+  /// Made and given a route, then the program dies.
+  void makeAndDie() {
+    openWindow(false);
+    inDialogue(QStringLiteral("newSiteDialog"), [](QDialog& dialog) { QTest::keyClick(&dialog, Qt::Key_Return); });
+    QTest::mouseClick(find("newButton"), Qt::LeftButton);
+    ASSERT_TRUE(window->canvas().isVisible());
+    drawRoute({{0.3, 0.3}, {0.3, 1.5}});
+    drawn = window->document().site();
+    ASSERT_EQ(drawn.routes.size(), 1U);
+    EXPECT_TRUE(window->document().path().isEmpty());
+    const auto kept = [this] {
+      const auto database = store::Database::open(Keeper::databasePath().toStdString());
+      if (!database) return false;
+      const auto list = store::SiteStore{**database}.list();
+      return list && !list->empty() && list->front().differsFromFile;
+    };
+    ASSERT_TRUE(until(kept));
+    killWindow();
+  }
+  floor::Site drawn;
+};
+
+TEST_F(NewSite, isOfferedAgainThoughItWasInNoFileWhenTheProgramDied) {
+  ASSERT_NO_FATAL_FAILURE(makeAndDie());
+  answerQuestion("homelessQuestion", "Open it");
+  ASSERT_NO_FATAL_FAILURE(openWindow());
+  EXPECT_EQ(window->document().site(), drawn);
+  EXPECT_TRUE(window->isWindowModified());
+  EXPECT_TRUE(window->document().path().isEmpty());
+  answerQuestion("saveQuestion", "Discard");
+  ASSERT_TRUE(closeWindow());
+  ASSERT_NO_FATAL_FAILURE(openWindow());
+  EXPECT_TRUE(find("demoButton")->isVisible()) << "nobody is asked again about what was given up";
+}
+
+TEST_F(NewSite, isForgottenWhenThatIsChosen) {
+  ASSERT_NO_FATAL_FAILURE(makeAndDie());
+  answerQuestion("homelessQuestion", "Forget it");
+  ASSERT_NO_FATAL_FAILURE(openWindow());
+  EXPECT_TRUE(find("demoButton")->isVisible());
+  ASSERT_TRUE(closeWindow());
+  ASSERT_NO_FATAL_FAILURE(openWindow());
+  EXPECT_TRUE(find("demoButton")->isVisible());
+}
+
+class EndWithoutQuestions : public Memory {
+protected:
+  /// As a polite kill does, as soon as a dialogue of this name is open.
+  void endWithin(const QString& name) {
+    inDialogue(name, [this](QDialog&) { window->endUnasked(); });
+  }
+};
+
+TEST_F(EndWithoutQuestions, answersTheQuestionThatIsOpenByNothing) {
+  ASSERT_NO_FATAL_FAILURE(openWindow());
+  ASSERT_NO_FATAL_FAILURE(openDemoFloor());
+  drawRoute({{0.3, 0.3}, {0.3, 1.5}});
+  const auto drawn = window->document().site();
+  endWithin("saveQuestion");
+  EXPECT_TRUE(window->close()) << "the question was open within close()";
+  EXPECT_FALSE(window->isVisible());
+  window.reset();
+  answerQuestion("recoverQuestion", "Take them up");
+  ASSERT_NO_FATAL_FAILURE(openWindow());
+  EXPECT_EQ(window->document().site(), drawn);
+}
+
+TEST_F(EndWithoutQuestions, leavesWhatAnEarlierRunKeptForTheNext) {
+  ASSERT_NO_FATAL_FAILURE(openWindow());
+  ASSERT_NO_FATAL_FAILURE(openDemoFloor());
+  drawRoute({{0.3, 0.3}, {0.3, 1.5}});
+  const auto drawn = window->document().site();
+  ASSERT_TRUE(until([&] { return window->keeper().unsaved(window->document().path()) != nullptr; }));
+  killWindow();
+  endWithin("recoverQuestion");
+  openWindow();
+  EXPECT_FALSE(window->isVisible());
+  window.reset();
+  answerQuestion("recoverQuestion", "Take them up");
+  ASSERT_NO_FATAL_FAILURE(openWindow());
+  EXPECT_EQ(window->document().site(), drawn);
 }
 
 TEST_F(Memory, forgetsWhatWasGivenUp) {

@@ -2,11 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QClipboard>
-#include <QGuiApplication>
+#include <QFile>
+#include <QFileDialog>
 #include <QPushButton>
 #include <QScrollBar>
+#include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 
 #include "ui/fleet/fake_fleet.h"
 
@@ -155,6 +159,125 @@ TEST_F(EventPanelTest, DoubleClickChoosesTheVehicle) {
   QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, place);
   QTest::mouseDClick(list()->viewport(), Qt::LeftButton, {}, place);
   EXPECT_EQ(selection.vehicle(), VehicleId{3});
+}
+
+class JournalDays : public EventPanelTest {
+protected:
+  JournalDays() {
+    connection =
+        QObject::connect(&panel, &EventPanel::dayWanted, [this](const JournalDay& day) { asked.push_back(day); });
+    fill(3);
+    QTest::mouseClick(button("byDayButton"), Qt::LeftButton);
+  }
+  ~JournalDays() override { QObject::disconnect(connection); }
+  [[nodiscard]] QToolButton* button(const char* name) const {
+    return panel.findChild<QToolButton*>(QLatin1String{name});
+  }
+  [[nodiscard]] QDateEdit* field() const { return panel.findChild<QDateEdit*>("dayField"); }
+  [[nodiscard]] QPushButton* hint() const { return panel.findChild<QPushButton*>("showAllButton"); }
+  /// So many lines, the last one written at this second of the day.
+  static std::vector<JournalLine> page(int count, int last) {
+    std::vector<JournalLine> lines;
+    const QDateTime midnight = QDate::currentDate().addDays(-1).startOfDay();
+    for (int i = last - count + 1; i <= last; ++i)
+      lines.push_back({midnight.addSecs(i), Severity::Info, VehicleId{1}, QStringLiteral("line %1").arg(i)});
+    return lines;
+  }
+
+  std::vector<JournalDay> asked;
+  QMetaObject::Connection connection;
+};
+
+TEST_F(JournalDays, BeginWithYesterdayAndGoFromDayToDay) {
+  ASSERT_EQ(asked.size(), 1U);
+  EXPECT_EQ(asked.back().day, QDate::currentDate().addDays(-1));
+  EXPECT_EQ(rows(), 0);
+  QTest::mouseClick(button("dayBefore"), Qt::LeftButton);
+  EXPECT_EQ(asked.back().day, QDate::currentDate().addDays(-2));
+  QTest::keyClick(field(), Qt::Key_Up);
+  EXPECT_NE(asked.back().day, QDate::currentDate().addDays(-2)) << "by key as well";
+  for (int i = 0; i < 400 && button("dayAfter")->isEnabled(); ++i)
+    QTest::mouseClick(button("dayAfter"), Qt::LeftButton);
+  EXPECT_EQ(asked.back().day, QDate::currentDate()) << "and not into the future";
+}
+
+TEST_F(JournalDays, ComePageByPageAndStayInOrder) {
+  panel.showDay(page(3, 8), JournalPart::Page);
+  EXPECT_EQ(rows(), 3);
+  panel.showDay(page(5, 5), JournalPart::Last);
+  ASSERT_EQ(rows(), 8);
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(cell(i, EventModel::What), QStringLiteral("line %1").arg(i + 1));
+  fill(2);
+  EXPECT_EQ(rows(), 8) << "what happens meanwhile is of another day";
+  QTest::mouseClick(panel.findChild<QPushButton*>("backToNow"), Qt::LeftButton);
+  EXPECT_EQ(rows(), 5);
+  panel.showDay(page(3, 8), JournalPart::Last);
+  EXPECT_EQ(rows(), 5) << "an answer that comes too late";
+}
+
+TEST_F(JournalDays, AreSearchedAndAskForWhatIsChosen) {
+  panel.showDay(page(20, 20), JournalPart::Last);
+  auto* words = panel.findChild<QLineEdit*>("wordsFilter");
+  words->setFocus();
+  QTest::keyClicks(words, "line 7");
+  EXPECT_EQ(rows(), 1);
+  const std::size_t before = asked.size();
+  auto* severity = panel.findChild<QComboBox*>("severityFilter");
+  severity->setFocus();
+  QTest::keyClick(severity, Qt::Key_End);
+  ASSERT_EQ(asked.size(), before + 1);
+  EXPECT_EQ(asked.back().least, Severity::Error);
+}
+
+TEST_F(JournalDays, SayWhenNothingIsThereWhyAndWhatToDo) {
+  auto* sentence = panel.findChild<FleetHint*>();
+  const QString reading = sentence->sentence();
+  EXPECT_FALSE(reading.isEmpty());
+  panel.showDay({}, JournalPart::Last);
+  EXPECT_NE(sentence->sentence(), reading);
+  ASSERT_TRUE(hint()->isVisible());
+  QTest::mouseClick(hint(), Qt::LeftButton);
+  EXPECT_EQ(rows(), 3) << "back to now";
+  QTest::mouseClick(button("byDayButton"), Qt::LeftButton);
+  panel.showDayFailure("The disk is gone.");
+  EXPECT_EQ(sentence->sentence(), "The disk is gone.");
+}
+
+TEST_F(JournalDays, SayWhenThereIsMoreThanIsListed) {
+  for (int i = 10; i > 0; --i) panel.showDay(page(500, i * 500), i == 1 ? JournalPart::TooMany : JournalPart::Page);
+  EXPECT_EQ(rows(), static_cast<int>(EventModel::kMost));
+  EXPECT_FALSE(panel.findChild<Notice*>()->text().isEmpty());
+  QTest::mouseClick(button("dayBefore"), Qt::LeftButton);
+  EXPECT_TRUE(panel.findChild<Notice*>()->text().isEmpty());
+}
+
+TEST_F(JournalDays, AreSavedAsATableOfWhatIsListed) {
+  const QDateTime when{QDate{2026, 1, 2}, QTime{3, 4, 5, 60}};
+  panel.showDay({{when, Severity::Error, VehicleId{2}, QStringLiteral("A wheel, the “left” one, \"sticks\": 轮子")},
+                 {when, Severity::Info, {}, QStringLiteral("other")}},
+                JournalPart::Last);
+  auto* words = panel.findChild<QLineEdit*>("wordsFilter");
+  words->setFocus();
+  QTest::keyClicks(words, "wheel");
+  const QTemporaryDir folder;
+  const QString file = folder.filePath("events.csv");
+  QTimer::singleShot(0, &panel, [&] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
+    dialog->setDirectory(folder.path());
+    name->setText("events");
+    QTest::keyClick(name, Qt::Key_Return);
+  });
+  QTest::mouseClick(button("saveEventsButton"), Qt::LeftButton);
+  QFile saved{file};
+  ASSERT_TRUE(saved.open(QIODevice::ReadOnly));
+  const QList<QByteArray> lines = saved.readAll().split('\n');
+  ASSERT_EQ(lines.size(), 3) << "the head, one line, nothing behind the last end of line";
+  EXPECT_EQ(lines[0], "\xEF\xBB\xBFtime,vehicle,severity,what\r");
+  EXPECT_TRUE(lines[1].startsWith("2026-01-02T03:04:05.060"));
+  EXPECT_TRUE(lines[1].endsWith(",AGV 2,error,\"A wheel, the “left” one, \"\"sticks\"\": 轮子\"\r"))
+      << lines[1].toStdString();
 }
 
 }  // namespace
