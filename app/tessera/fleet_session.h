@@ -64,6 +64,8 @@ public:
 
 Q_SIGNALS:
   void stateChanged();
+  /// The simulated world's own line, in English: that the machine does not keep up, that a vehicle has ended.
+  void worldComplained(const QString& line);
   /// A complete sentence.
   void failed(const QString& sentence);
 

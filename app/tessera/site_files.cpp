@@ -161,10 +161,22 @@ bool SiteFiles::saveAs() {
   const QString proposal = document_.path().isEmpty()
                                ? QDir::home().filePath(QString::fromStdString(document_.site().name) + kSuffix)
                                : document_.path();
-  QString path = QFileDialog::getSaveFileName(above(), tr("Save the site"), proposal, tr("Sites (*%1)").arg(kSuffix));
-  if (path.isEmpty()) return false;
-  if (!path.endsWith(QLatin1String{".json"})) path += kSuffix;
-  return writeTo(path);
+  QFileDialog dialog{above(), tr("Save the site"), QFileInfo{proposal}.path(), tr("Sites (*%1)").arg(kSuffix)};
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  // By the dialogue, which then asks before a file of that name is replaced.
+  dialog.setDefaultSuffix(QString{kSuffix}.mid(1));
+  dialog.selectFile(QFileInfo{proposal}.fileName());
+  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return false;
+  QString path = dialog.selectedFiles().constFirst();
+  if (path.endsWith(QLatin1String{".json"})) return writeTo(path);
+  // A dot in the name was taken for a suffix.
+  path += kSuffix;
+  const auto replace = [&] {
+    return QMessageBox::question(above(), tr("Save the site"),
+                                 tr("%1 exists already. Replace it?").arg(QFileInfo{path}.fileName())) ==
+           QMessageBox::Yes;
+  };
+  return (!QFileInfo::exists(path) || replace()) && writeTo(path);
 }
 
 bool SiteFiles::writeTo(const QString& path) {

@@ -87,6 +87,8 @@ void MainWindow::joinFleet() {
   });
   connect(session_, &FleetSession::stateChanged, this, &MainWindow::showFleetState);
   connect(session_, &FleetSession::failed, this, &MainWindow::tell);
+  connect(session_, &FleetSession::worldComplained, this,
+          [this](const QString& line) { statusBar()->showMessage(tr("Simulated world: %1").arg(line), 15'000); });
   connect(canvas_, &ui::FloorCanvas::vehiclePicked, &selection_,
           [this](VehicleId vehicle) { selection_.setVehicle(vehicle); });
   connect(canvas_, &ui::FloorCanvas::routePicked, &selection_, &ui::Selection::setRoute);

@@ -1667,6 +1667,10 @@
         <source>The radio module is being set</source>
         <translation>正在设置无线模块</translation>
     </message>
+    <message>
+        <source>Simulated world: %1</source>
+        <translation>仿真环境：%1</translation>
+    </message>
 </context>
 <context>
     <name>tessera::desktop::SiteFiles</name>
@@ -1773,6 +1777,10 @@
     <message>
         <source>&amp;Forget it</source>
         <translation>放弃(&amp;F)</translation>
+    </message>
+    <message>
+        <source>%1 exists already. Replace it?</source>
+        <translation>%1 已存在。要替换它吗？</translation>
     </message>
 </context>
 <context>
