@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
@@ -74,7 +75,12 @@ void MainWindow::buildCentre() {
   canvas_ = new ui::FloorCanvas;
   canvas_->setProperty("helpTopic", QStringLiteral("floor"));
   start_->setProperty("helpTopic", QStringLiteral("start"));
-  centre_->addWidget(start_);
+  // It scrolls where it has no room: it must not make the window larger than it was left.
+  auto* scroll = new QScrollArea;
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setWidget(start_);
+  centre_->addWidget(scroll);
   centre_->addWidget(canvas_);
   setCentralWidget(centre_);
   routeTool_ = std::make_unique<ui::RouteTool>(document_, selection_, this);

@@ -192,7 +192,7 @@ void MainWindow::joinPanels() {
 }
 
 void MainWindow::showSite() {
-  centre_->setCurrentWidget(open_ ? static_cast<QWidget*>(canvas_) : start_);
+  centre_->setCurrentIndex(open_ ? centre_->indexOf(canvas_) : 0);
   panels_->setShown(open_);
   for (QAction* action : {actions_->save, actions_->saveAs, actions_->rename, actions_->zoomIn, actions_->zoomOut,
                           actions_->fit, actions_->follow, actions_->browse, actions_->editRoutes, actions_->drawRoute,

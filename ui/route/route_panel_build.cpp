@@ -77,6 +77,7 @@ QWidget* RoutePanel::makeListPage() {
   routeBar_->addActions({draw_, rename_, duplicate_, reverse_, delete_});
   list_ = new QListWidget;
   list_->setObjectName("routeList");
+  list_->setMinimumHeight(2 * fontMetrics().height() + 8);
   list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   list_->setContextMenuPolicy(Qt::ActionsContextMenu);
   list_->addActions({rename_, duplicate_, reverse_, delete_});
@@ -104,6 +105,7 @@ QWidget* RoutePanel::makeDetails() {
   vertexBar_->addActions({insertVertex_, deleteVertex_});
   table_ = new QTableView;
   table_->setObjectName("vertexTable");
+  table_->setMinimumHeight(4 * fontMetrics().height());
   table_->setModel(vertices_);
   table_->setItemDelegate(new MetreDelegate{table_});
   table_->setSelectionMode(QAbstractItemView::SingleSelection);

@@ -35,6 +35,15 @@ TEST_F(Reach, showsTheStopButtonInTheSmallestWindow) {
   }
 }
 
+TEST_F(Reach, fitsOnTheScreenOfALaptop) {
+  for (const char* language : {"en", "zh_CN"}) {
+    window->setLanguage(QString::fromLatin1(language));
+    QApplication::processEvents();
+    EXPECT_LE(window->minimumSizeHint().height(), 700) << language << ", of 768 with a bar of the desktop";
+    EXPECT_LE(window->minimumSizeHint().width(), 1024) << language;
+  }
+}
+
 TEST_F(Reach, givesOrdersByKeyWhileTheirPanelIsClosed) {
   find<QDockWidget>("runDock")->close();
   pressWhenOffered("runAction", Qt::Key_F5);
