@@ -137,7 +137,7 @@ TickOutput Supervisor::tick(Seconds now) {
 
 void Supervisor::Impl::carryOut(const Order& order) {
   if (std::holds_alternative<StopAll>(order)) {
-    log.tell(Severity::Warning, EventKind::StoppedAll, std::nullopt, phrase("Core", "All vehicles were told to stop."));
+    log.tell(Severity::Info, EventKind::StoppedAll, std::nullopt, phrase("Core", "All vehicles were told to stop."));
     for (VehicleAgent& a : agents) a.stop(log);
     return;
   }
