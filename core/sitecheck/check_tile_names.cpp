@@ -11,7 +11,7 @@ namespace {
 
 using floor::Placement;
 using floor::Tile;
-using Seen = std::unordered_map<std::string_view, std::uint32_t>;
+using FirstByName = std::unordered_map<std::string_view, std::uint32_t>;
 
 std::optional<Box> boxOfTile(const Context& context, std::size_t tile) {
   const std::uint32_t laid = context.plan.laidOf(tile);
@@ -20,7 +20,7 @@ std::optional<Box> boxOfTile(const Context& context, std::size_t tile) {
 
 void tileTypes(const Context& context, Faults& faults) {
   FaultList twice{faults, FaultKind::TileTypeTwice, Severity::Error, context.options.mostOfAKind};
-  Seen seen;
+  FirstByName seen;
   for (const floor::TileType& type : context.site.tileTypes) {
     if (seen.try_emplace(type.name, 0).second) continue;
     twice.add({}, [&] {
@@ -50,10 +50,10 @@ void placements(const Context& context, Faults& faults) {
   FaultList twice{faults, FaultKind::TileLaidTwice, Severity::Error, most};
   FaultList unknown{faults, FaultKind::TileUnknown, Severity::Error, most};
   FaultList nowhere{faults, FaultKind::PlaceNoNumber, Severity::Error, most};
-  Seen known;
+  FirstByName known;
   known.reserve(context.site.tiles.size());
   for (const Tile& tile : context.site.tiles) known.try_emplace(tile.serial, 0);
-  Seen seen;
+  FirstByName seen;
   seen.reserve(context.site.placements.size());
   for (std::uint32_t i = 0; i < context.site.placements.size(); ++i) {
     const Placement& p = context.site.placements[i];
