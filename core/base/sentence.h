@@ -44,6 +44,7 @@ private:
 class Sentence {
 public:
   Sentence() = default;
+  // NOLINTBEGIN(google-explicit-constructor): a text of any kind is meant wherever a sentence is asked for.
   Sentence(Pattern pattern) : Sentence{pattern, {}} {}
   Sentence(Pattern pattern, std::vector<Sentence> arguments);
   /// A sentence that was kept, in a journal say, as its pattern (of the context Core) and its arguments.
@@ -51,11 +52,12 @@ public:
   // What is shown as it is, in every language: a name, a number, a text from elsewhere.
   Sentence(std::string text);
   Sentence(const char* text) : Sentence{std::string{text}} {}
+  // NOLINTEND(google-explicit-constructor)
   template <std::integral Number>
   explicit Sentence(Number number) : Sentence{std::to_string(number)} {}
 
   [[nodiscard]] const std::string& english() const;
-  operator const std::string&() const { return english(); }
+  operator const std::string&() const { return english(); }  // NOLINT(google-explicit-constructor): the same way back
   [[nodiscard]] bool empty() const { return english().empty(); }
   /// Nullptr: a text that is shown as it is.
   [[nodiscard]] const Pattern* pattern() const;

@@ -12,7 +12,7 @@ namespace tessera::sitecheck {
 namespace {
 
 // Ways along the route, from its start, over which some reader sees some tag.
-struct Seen {
+struct Sighted {
   double from;
   double to;
 };
@@ -21,7 +21,7 @@ class Sight {
 public:
   Sight(const Context& context, const floor::VehicleSetup& vehicle) : context_{context}, vehicle_{vehicle} {}
 
-  std::vector<Seen> along(const Polyline& line) {
+  std::vector<Sighted> along(const Polyline& line) {
     for (std::size_t leg = 0; leg < line.legCount(); ++leg) {
       heading_ = line.headingOf(leg);
       start_ = line.vertices()[leg];
@@ -31,7 +31,7 @@ public:
       const int pieces = static_cast<int>(std::ceil(length_ / 2.0));
       for (int i = 0; i < pieces; ++i) piece(length_ * i / pieces, length_ * (i + 1) / pieces);
     }
-    std::sort(seen_.begin(), seen_.end(), [](const Seen& a, const Seen& b) { return a.from < b.from; });
+    std::sort(seen_.begin(), seen_.end(), [](const Sighted& a, const Sighted& b) { return a.from < b.from; });
     return std::move(seen_);
   }
 
@@ -73,16 +73,16 @@ private:
   Point start_;
   double before_ = 0.0;
   double length_ = 0.0;
-  std::vector<Seen> seen_;
+  std::vector<Sighted> seen_;
 };
 
-Seen longestBlind(const std::vector<Seen>& seen, double length) {
-  Seen longest{0.0, 0.0};
+Sighted longestBlind(const std::vector<Sighted>& seen, double length) {
+  Sighted longest{0.0, 0.0};
   double at = 0.0;
   const auto until = [&](double next) {
     if (next - at > longest.to - longest.from) longest = {at, next};
   };
-  for (const Seen& s : seen) {
+  for (const Sighted& s : seen) {
     until(s.from);
     at = std::max(at, s.to);
   }
@@ -90,7 +90,7 @@ Seen longestBlind(const std::vector<Seen>& seen, double length) {
   return longest;
 }
 
-Box boxOfWay(const Polyline& line, const Seen& way) {
+Box boxOfWay(const Polyline& line, const Sighted& way) {
   std::vector<Point> points{line.at(Metres{way.from}), line.at(Metres{way.to})};
   for (std::size_t i = 0; i < line.vertices().size(); ++i)
     if (line.startOf(i).value() > way.from && line.startOf(i).value() < way.to) points.push_back(line.vertices()[i]);
@@ -109,7 +109,7 @@ Faults checkRouteTags(const Context& context, std::size_t index) {
   const Polyline line{withoutRepeats(route.vertices, false)};
   for (const floor::VehicleSetup* vehicle : readerRowsOf(context.site)) {
     if (vehicle->readers.empty() || line.legCount() == 0) continue;
-    const Seen blind = longestBlind(Sight{context, *vehicle}.along(line), line.length().value());
+    const Sighted blind = longestBlind(Sight{context, *vehicle}.along(line), line.length().value());
     const Metres length{blind.to - blind.from};
     if (length <= context.options.longestBlind) continue;
     faults.push_back(
