@@ -19,6 +19,8 @@ RecentList::RecentList(QWidget* parent) : QWidget{parent} {
   bold.setBold(true);
   heading_.setFont(bold);
   heading_.setBuddy(&list_);
+  heading_.setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);  // what stands below it keeps close to it
+  empty_.setAlignment(Qt::AlignTop | Qt::AlignLeft);
   empty_.setWordWrap(true);
   empty_.setForegroundRole(QPalette::PlaceholderText);
   list_.setObjectName(QStringLiteral("recentList"));
