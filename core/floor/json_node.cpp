@@ -121,6 +121,11 @@ void JsonNode::object(std::initializer_list<std::string_view> required,
     return errors_.add(pointer() + "/" + escaped(shortened(key)),
                        phrase("Core", "there is no such key here; expected one of %1.").with(known));
   }
+  objectWith(required);
+}
+
+void JsonNode::objectWith(std::initializer_list<std::string_view> required) const {
+  if (value_ == nullptr || !value_->is_object()) return fail(phrase("Core", "an object"));
   for (std::string_view key : required) {
     if (!value_->contains(key)) {
       return errors_.add(pointer() + "/" + escaped(key), phrase("Core", "expected this key, which is missing."));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <initializer_list>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -37,6 +38,8 @@ public:
 
   /// Expects an object that has all the required keys and, beyond the optional ones, no others.
   void object(std::initializer_list<std::string_view> required, std::initializer_list<std::string_view> optional = {});
+  /// The same for formats that allow keys which are not known here.
+  void objectWith(std::initializer_list<std::string_view> required) const;
   [[nodiscard]] JsonNode operator[](std::string_view key) const;
   [[nodiscard]] JsonNode operator[](std::size_t index) const;
   [[nodiscard]] bool present() const { return value_ != nullptr; }
@@ -78,5 +81,13 @@ private:
   std::string_view key_;  ///< in an object; empty in an array
   std::size_t index_ = 0;
 };
+
+/// The longest text of a document, in bytes.
+inline constexpr std::size_t kMostJson = std::size_t{64} << 20;
+
+/// Parses a text from anywhere and hands its root to `read`. Error: names `name` (the file), and the JSON pointer or
+/// the line and column. what: "a site".
+[[nodiscard]] Result<void> readDocument(std::string_view text, const std::string& name, const Sentence& what,
+                                        const std::function<void(const JsonNode&)>& read);
 
 }  // namespace tessera::floor

@@ -1,4 +1,4 @@
-// Site files on disk: read whole, written so that nothing half-written is ever seen.
+// Files on disk: read whole, written so that nothing half-written is ever seen.
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -12,7 +12,9 @@
 #include <sstream>
 #include <system_error>
 
+#include "floor/json_node.h"
 #include "floor/site_json.h"
+#include "floor/text_file.h"
 
 namespace tessera::floor {
 namespace {
@@ -70,10 +72,15 @@ public:
     return ::fchmod(handle_, 0640) == 0;
   }
   [[nodiscard]] bool sync() const { return ::fsync(handle_) == 0; }
-  [[nodiscard]] bool rename(const fs::path& to) {
-    if (::rename(name_.c_str(), to.c_str()) != 0) return false;
-    exists_ = false;
-    return true;
+  [[nodiscard]] bool rename(const fs::path& to, Replacing replacing) {
+    if (replacing == Replacing::Allowed) {
+      if (::rename(name_.c_str(), to.c_str()) != 0) return false;
+      exists_ = false;
+      return true;
+    }
+    // A second name that must be new; the temporary one then goes away. Unlike a look beforehand nothing can come
+    // between.
+    return ::link(name_.c_str(), to.c_str()) == 0;
   }
 
 private:
@@ -93,14 +100,13 @@ void syncFolder(const fs::path& folder) {
 
 }  // namespace
 
-Result<Site> loadSite(const fs::path& path) {
+Result<std::string> loadText(const fs::path& path, std::size_t most) {
   std::error_code error;
   if (fs::is_directory(path, error))
-    return failure(phrase("Core", "%1: expected a site file, found a folder.").with(path.string()));
+    return failure(phrase("Core", "%1: expected a file, found a folder.").with(path.string()));
   std::ifstream in{path, std::ios::binary};
   if (!in) return failure(phrase("Core", "%1: cannot be read: %2.").with(path.string(), reason(errno)));
-  // Reads no more than parseSite would take, whatever the file's size says (it may be a device).
-  constexpr std::size_t most = (std::size_t{64} << 20) + 1;
+  // Reads no more than will be taken, whatever the file's size says (it may be a device).
   std::string text;
   std::array<char, 65536> block{};
   while (in && text.size() < most) {
@@ -108,24 +114,39 @@ Result<Site> loadSite(const fs::path& path) {
     text.append(block.data(), static_cast<std::size_t>(in.gcount()));
   }
   if (in.bad()) return failure(phrase("Core", "%1: cannot be read to its end.").with(path.string()));
-  return parseSite(text, path.string());
+  return text;
 }
 
-Result<void> saveSite(const Site& site, const fs::path& path) {
+Result<void> saveText(const std::string& text, const fs::path& path, Replacing replacing) {
   // A link stays a link: what it leads to is replaced.
   std::error_code error;
   const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
   const auto failed = [&path](const Sentence& what) {
     return failure(phrase("Core", "%1: %2: %3. The file was not changed.").with(path.string(), what, reason(errno)));
   };
+  if (replacing == Replacing::Refused && fs::exists(target, error))
+    return failure(phrase("Core", "%1: the file is there already.").with(path.string()));
   TemporaryFile file{target};
   if (!file.open()) return failed(phrase("Core", "a temporary file beside it cannot be made"));
-  if (!file.write(writeSite(site))) return failed(phrase("Core", "cannot be written"));
+  if (!file.write(text)) return failed(phrase("Core", "cannot be written"));
   if (!file.rights(target)) return failed(phrase("Core", "cannot be given its rights"));
   if (!file.sync()) return failed(phrase("Core", "cannot be brought to disk"));
-  if (!file.rename(target)) return failed(phrase("Core", "cannot be replaced"));
+  if (!file.rename(target, replacing)) {
+    if (errno == EEXIST) return failure(phrase("Core", "%1: the file is there already.").with(path.string()));
+    return failed(phrase("Core", "cannot be replaced"));
+  }
   syncFolder(target.parent_path());
   return {};
+}
+
+Result<Site> loadSite(const fs::path& path) {
+  const auto text = loadText(path, kMostJson + 1);
+  if (!text) return tl::unexpected{text.error()};
+  return parseSite(*text, path.string());
+}
+
+Result<void> saveSite(const Site& site, const fs::path& path) {
+  return saveText(writeSite(site), path, Replacing::Allowed);
 }
 
 }  // namespace tessera::floor

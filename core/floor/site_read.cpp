@@ -1,7 +1,6 @@
 // *.tessera.json to Site.
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 
 #include "floor/json_node.h"
 #include "floor/site_json.h"
@@ -10,10 +9,6 @@
 namespace tessera::floor {
 namespace {
 
-using nlohmann::json;
-
-constexpr std::size_t kMaxText = std::size_t{64} << 20;
-constexpr int kMaxDepth = 16;
 constexpr std::size_t kMaxName = 200;
 constexpr std::size_t kMany = 1'000'000;
 constexpr std::size_t kSome = 10'000;
@@ -209,52 +204,14 @@ Site readSite(JsonNode n) {
   return site;
 }
 
-// Brackets outside of texts; a document that nests deeper is none of ours, whatever else it holds.
-bool tooDeep(std::string_view text) {
-  int depth = 0;
-  bool inText = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (inText && c == '\\') {
-      ++i;
-    } else if (c == '"') {
-      inText = !inText;
-    } else if (!inText && (c == '[' || c == '{')) {
-      if (++depth > kMaxDepth) return true;
-    } else if (!inText && (c == ']' || c == '}')) {
-      --depth;
-    }
-  }
-  return false;
-}
-
-Sentence lineAndColumn(std::string_view text, std::size_t byte) {
-  const std::string_view before = text.substr(0, byte == 0 ? 0 : byte - 1);
-  const auto line = std::count(before.begin(), before.end(), '\n') + 1;
-  const std::size_t start = before.rfind('\n');
-  const std::size_t column = start == std::string_view::npos ? before.size() + 1 : before.size() - start;
-  return phrase("Core", "line %1, column %2").with(line, column);
-}
-
 }  // namespace
 
 Result<Site> parseSite(std::string_view text, const std::string& name) {
-  if (text.size() > kMaxText) return failure(phrase("Core", "%1: a site file has at most 64 MiB.").with(name));
-  if (tooDeep(text))
-    return failure(phrase("Core", "%1: expected a site, found a text that nests deeper than 16 levels.").with(name));
-  try {
-    JsonErrors errors{name};
-    const json document = parseJson(text, errors);
-    Site site = readSite(JsonNode{errors, document});
-    if (errors.first()) return tl::unexpected{*errors.first()};
-    return site;
-  } catch (const json::parse_error& e) {
-    return failure(phrase("Core", "%1: %2: expected JSON (RFC 8259), found something else.")
-                       .with(name, lineAndColumn(text, e.byte)));
-  } catch (const json::exception&) {
-    return failure(phrase("Core", "%1: expected JSON (RFC 8259) with numbers of usual size, found a number too large.")
-                       .with(name));
-  }
+  Site site;
+  auto read =
+      readDocument(text, name, phrase("Core", "a site"), [&site](const JsonNode& root) { site = readSite(root); });
+  if (!read) return tl::unexpected{std::move(read.error())};
+  return site;
 }
 
 }  // namespace tessera::floor

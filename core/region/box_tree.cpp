@@ -17,8 +17,8 @@ BoxTree::BoxTree(const std::vector<Box>& boxes) {
   order_.resize(boxes.size());
   std::iota(order_.begin(), order_.end(), 0U);
   // Upright slabs of about as many boxes along y as there are slabs; within each from below.
-  const auto leaves = static_cast<double>((boxes.size() + kFanOut - 1) / kFanOut);
-  const std::size_t slab = kFanOut * static_cast<std::size_t>(std::ceil(std::sqrt(leaves)));
+  const std::size_t leaves = (boxes.size() + kFanOut - 1) / kFanOut;
+  const std::size_t slab = kFanOut * static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(leaves))));
   std::sort(order_.begin(), order_.end(), [&](auto a, auto b) { return middles[a].x < middles[b].x; });
   for (std::size_t from = 0; from < order_.size(); from += slab) {
     const auto first = order_.begin() + static_cast<std::ptrdiff_t>(from);

@@ -119,9 +119,11 @@ Faults checkGaps(const Context& context, std::size_t index) {
   Faults faults;
   const Zone& zone = context.site.zones[index];
   if (zone.kind != ZoneKind::Running || context.plan.laid().empty()) return faults;
-  const region::Region bare = context.zones.areas[index] - context.zones.noGo - context.plan.covered();
-  // Seams between tiles are told as tiles off their lattice.
-  const region::Region holes = bare.opened(context.options.seam + Metres{0.001});
+  const region::Region open = context.zones.areas[index] - context.zones.noGo;
+  // The tiles are half a seam wider than they are, and so close what is told as tiles off their lattice; what is left
+  // gets its border back.
+  const Metres half = 0.5 * context.options.seam;
+  const region::Region holes = (open - context.plan.covered()).opened(half + Metres{0.001}).grown(half) & open;
   FaultList gaps{faults, FaultKind::ZoneGap, Severity::Warning, context.options.mostOfAKind};
   for (const region::Region& hole : holes.pieces()) {
     const double area = hole.squareMetres();

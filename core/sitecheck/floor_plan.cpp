@@ -30,7 +30,7 @@ bool isPlace(const Box& box) {
   return box.low.x >= -farthest && box.low.y >= -farthest && box.high.x <= farthest && box.high.y <= farthest;
 }
 
-FloorPlan::FloorPlan(const floor::Site& site) : laidOfTile_(site.tiles.size(), kNone) {
+FloorPlan::FloorPlan(const floor::Site& site, Metres seam) : laidOfTile_(site.tiles.size(), kNone) {
   const auto types = byName(site.tileTypes, [](const floor::TileType& t) { return std::string_view{t.name}; });
   auto tiles = byName(site.tiles, [](const floor::Tile& t) { return std::string_view{t.serial}; });
   if (tiles.size() != site.tiles.size())
@@ -55,6 +55,8 @@ FloorPlan::FloorPlan(const floor::Site& site) : laidOfTile_(site.tiles.size(), k
     boxes.push_back(box);
   }
   tree_ = region::BoxTree{boxes};
+  // Seams close, so that a floor laid by hand is one area and not a lattice of slits.
+  for (Box& box : boxes) box = grown(box, 0.5 * seam);
   covered_ = region::Region::unionOf(boxes);
 }
 

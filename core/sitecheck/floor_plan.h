@@ -26,8 +26,8 @@ public:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   FloorPlan() = default;
-  /// Leaves out what has no place: unknown tiles and types, places that are no numbers.
-  explicit FloorPlan(const floor::Site& site);
+  /// Leaves out what has no place: unknown tiles and types, places that are no numbers. seam: see covered().
+  FloorPlan(const floor::Site& site, Metres seam);
 
   [[nodiscard]] const std::vector<LaidTile>& laid() const { return laid_; }
   /// Index into laid() for a tile of the site, or kNone.
@@ -40,7 +40,7 @@ public:
   [[nodiscard]] Point placeOf(const floor::Site& site, const LaidTile& laid, std::size_t tag) const;
   /// Finds indices into laid().
   [[nodiscard]] const region::BoxTree& tree() const { return tree_; }
-  /// All that is covered with tiles.
+  /// All that is covered with tiles, each half a seam wider all around.
   [[nodiscard]] const region::Region& covered() const { return covered_; }
 
 private:

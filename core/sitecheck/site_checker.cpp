@@ -104,7 +104,7 @@ bool operator==(const Verdict& a, const Verdict& b) { return a.faults() == b.fau
 std::shared_ptr<const Site> siteOf(const std::shared_ptr<const floor::SiteMap>& map) { return {map, &map->site()}; }
 
 void SiteChecker::renewPlans(unsigned changed, const Site* before) {
-  if (before == nullptr || (changed & kFloor) != 0) plan_ = FloorPlan{*site_};
+  if (before == nullptr || (changed & kFloor) != 0) plan_ = FloorPlan{*site_, options_.seam};
   if (before == nullptr || (changed & kZones) != 0) zones_ = ZonePlan{site_->zones};
   if (before == nullptr || (changed & kLooseTags) != 0) {
     std::vector<Box> boxes;

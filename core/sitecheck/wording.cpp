@@ -17,7 +17,7 @@ void FaultList::close() {
   if (count_ <= most_) return;
   into_.push_back({kind_,
                    severity_,
-                   phrase("Core", "%1 more faults of this kind are not listed one by one.").with(count_ - most_),
+                   phrase("Core", "More faults of this kind, not listed one by one: %1.").with(count_ - most_),
                    rest_,
                    {},
                    {}});

@@ -24,7 +24,7 @@ public:
 
   /// make() fills the fault's sentence, objects and fix; it is not called for faults beyond the limit.
   template <class Make>
-  void add(const std::optional<Box>& place, Make make) {
+  void add(const std::optional<Box>& place, const Make& make) {
     if (count_++ < most_) {
       Fault fault = make();
       fault.kind = kind_;

@@ -1052,8 +1052,180 @@
         <translation>行驶区域“%2”在 %3 m 处有 %1 m² 没有地板砖。</translation>
     </message>
     <message>
-        <source>%1 more faults of this kind are not listed one by one.</source>
-        <translation>另有 %1 个同类问题未逐一列出。</translation>
+        <source>The site is called &quot;%1&quot; instead of &quot;%2&quot;.</source>
+        <translation>场地名称由“%2”改为“%1”。</translation>
+    </message>
+    <message>
+        <source>The site&apos;s y axis points %1° from north instead of %2°.</source>
+        <translation>场地 y 轴相对正北的角度由 %2° 改为 %1°。</translation>
+    </message>
+    <message>
+        <source>The radio uses channel %1, %2 bit/s, %3 baud instead of channel %4, %5 bit/s, %6 baud.</source>
+        <translation>无线设置改为信道 %1、%2 bit/s、%3 波特（原为信道 %4、%5 bit/s、%6 波特）。</translation>
+    </message>
+    <message>
+        <source>Zone &quot;%1&quot;</source>
+        <translation>区域“%1”</translation>
+    </message>
+    <message>
+        <source>kind &quot;%1&quot; instead of &quot;%2&quot;</source>
+        <translation>用途由“%2”改为“%1”</translation>
+    </message>
+    <message>
+        <source>another outline</source>
+        <translation>轮廓不同</translation>
+    </message>
+    <message>
+        <source>another speed</source>
+        <translation>速度不同</translation>
+    </message>
+    <message>
+        <source>another direction</source>
+        <translation>方向不同</translation>
+    </message>
+    <message>
+        <source>Route &quot;%1&quot;</source>
+        <translation>路径“%1”</translation>
+    </message>
+    <message>
+        <source>another way, %1 m instead of %2 m</source>
+        <translation>走向不同，长度由 %2 m 变为 %1 m</translation>
+    </message>
+    <message>
+        <source>another distance of control points</source>
+        <translation>控制点间距不同</translation>
+    </message>
+    <message>
+        <source>Vehicle &quot;%1&quot;</source>
+        <translation>车辆“%1”</translation>
+    </message>
+    <message>
+        <source>was called &quot;%1&quot;</source>
+        <translation>原名“%1”</translation>
+    </message>
+    <message>
+        <source>another key</source>
+        <translation>密钥不同</translation>
+    </message>
+    <message>
+        <source>another start</source>
+        <translation>起始位置不同</translation>
+    </message>
+    <message>
+        <source>another shape, other readers or other abilities</source>
+        <translation>外形、读卡器或性能不同</translation>
+    </message>
+    <message>
+        <source>%1 is new.</source>
+        <translation>新增%1。</translation>
+    </message>
+    <message>
+        <source>%1 is gone.</source>
+        <translation>删除%1。</translation>
+    </message>
+    <message>
+        <source>%1 moves from %2 to %3 m.</source>
+        <translation>%1从 %2 移到 %3 m。</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1：%2。</translation>
+    </message>
+    <message>
+        <source>Tile &quot;%1&quot;</source>
+        <translation>地板砖“%1”</translation>
+    </message>
+    <message>
+        <source>its list of tags has another length</source>
+        <translation>电子标签列表长度不同</translation>
+    </message>
+    <message>
+        <source>tags registered: %1, cleared: %2, replaced: %3</source>
+        <translation>电子标签：登记 %1 个，清除 %2 个，更换 %3 个</translation>
+    </message>
+    <message>
+        <source>Tile type &quot;%1&quot;</source>
+        <translation>地板规格“%1”</translation>
+    </message>
+    <message>
+        <source>another size or pattern</source>
+        <translation>尺寸或排列不同</translation>
+    </message>
+    <message>
+        <source>type &quot;%1&quot; instead of &quot;%2&quot;</source>
+        <translation>规格由“%2”改为“%1”</translation>
+    </message>
+    <message>
+        <source>%1 is laid at %2 m.</source>
+        <translation>%1铺设在 %2 m 处。</translation>
+    </message>
+    <message>
+        <source>%1 is taken up from %2 m.</source>
+        <translation>从 %2 m 处撤去%1。</translation>
+    </message>
+    <message>
+        <source>%1 is turned from %2° to %3°.</source>
+        <translation>%1由 %2° 转到 %3°。</translation>
+    </message>
+    <message>
+        <source>Loose tag %1</source>
+        <translation>单独电子标签 %1</translation>
+    </message>
+    <message>
+        <source>More faults of this kind, not listed one by one: %1.</source>
+        <translation>未逐一列出的其他同类问题：%1。</translation>
+    </message>
+    <message>
+        <source>The file has several layouts, which are laid upon one another: %1.</source>
+        <translation>文件含有多个布局，已叠加在一起：%1。</translation>
+    </message>
+    <message>
+        <source>Nodes and edges whose actions were left out: %1.</source>
+        <translation>动作未导入的节点和边：%1。</translation>
+    </message>
+    <message>
+        <source>Curved edges that became straight legs: %1.</source>
+        <translation>改为直线段的曲线边：%1。</translation>
+    </message>
+    <message>
+        <source>Edges whose highest speed was left out: %1.</source>
+        <translation>最高速度未导入的边：%1。</translation>
+    </message>
+    <message>
+        <source>Edges whose load and height restrictions were left out: %1.</source>
+        <translation>载荷和高度限制未导入的边：%1。</translation>
+    </message>
+    <message>
+        <source>Edges to another layout, left out: %1.</source>
+        <translation>通往另一布局而未导入的边：%1。</translation>
+    </message>
+    <message>
+        <source>LIF says only where a station is; stations read as zones of 0.6 × 0.6 m: %1.</source>
+        <translation>LIF 只给出站点位置；按 0.6 × 0.6 m 的区域导入的站点：%1。</translation>
+    </message>
+    <message>
+        <source>LIF carries no tiles; left out, with their tags: %1.</source>
+        <translation>LIF 不包含地板砖；未导出的地板砖（及其电子标签）：%1。</translation>
+    </message>
+    <message>
+        <source>LIF carries no tags; loose ones left out: %1.</source>
+        <translation>LIF 不包含电子标签；未导出的单独电子标签：%1。</translation>
+    </message>
+    <message>
+        <source>Of parking, charging and storage zones only the middle is kept, as stations: %1.</source>
+        <translation>停车、充电和存放区域只保留中心点，作为站点导出：%1。</translation>
+    </message>
+    <message>
+        <source>Zones of other kinds are left out; slow zones stay as the highest speed of the edges in them: %1.</source>
+        <translation>其他用途的区域未导出；慢行区域以其中各边的最高速度体现：%1。</translation>
+    </message>
+    <message>
+        <source>Of vehicles only the highest speeds are kept, as types: %1.</source>
+        <translation>车辆只保留最高速度，作为车型导出：%1。</translation>
+    </message>
+    <message>
+        <source>Distances of control points are left out; routes concerned: %1.</source>
+        <translation>控制点间距未导出；涉及的路径：%1。</translation>
     </message>
     <message>
         <source>All vehicles were told to stop.</source>
@@ -1150,10 +1322,6 @@
     <message>
         <source>Input/output error</source>
         <translation>读写错误</translation>
-    </message>
-    <message>
-        <source>%1: expected a site file, found a folder.</source>
-        <translation>%1：应为场地文件，实际是文件夹。</translation>
     </message>
     <message>
         <source>%1: cannot be read: %2.</source>
@@ -1256,14 +1424,6 @@
         <translation>第 %1 行第 %2 列</translation>
     </message>
     <message>
-        <source>%1: a site file has at most 64 MiB.</source>
-        <translation>%1：场地文件最大为 64 MiB。</translation>
-    </message>
-    <message>
-        <source>%1: expected a site, found a text that nests deeper than 16 levels.</source>
-        <translation>%1：应为场地，实际是嵌套超过 16 层的文本。</translation>
-    </message>
-    <message>
         <source>%1: %2: expected JSON (RFC 8259), found something else.</source>
         <translation>%1：%2：应为 JSON（RFC 8259），实际为其他内容。</translation>
     </message>
@@ -1338,6 +1498,102 @@
     <message>
         <source>%1: %2: %3</source>
         <translation>%1：%2：%3</translation>
+    </message>
+    <message>
+        <source>%1: expected %2 of at most 64 MiB, found more.</source>
+        <translation>%1：应为%2，最大 64 MiB，但文件更大。</translation>
+    </message>
+    <message>
+        <source>%1: expected %2, found a text that nests deeper than 16 levels.</source>
+        <translation>%1：应为%2，但文本嵌套超过 16 层。</translation>
+    </message>
+    <message>
+        <source>%1: expected a file, found a folder.</source>
+        <translation>%1：应为文件，但这是文件夹。</translation>
+    </message>
+    <message>
+        <source>%1: the file is there already.</source>
+        <translation>%1：文件已存在。</translation>
+    </message>
+    <message>
+        <source>a site</source>
+        <translation>场地文件</translation>
+    </message>
+    <message>
+        <source>expected %1 fields as in the first line, found %2.</source>
+        <translation>应与首行一样有 %1 个字段，实际为 %2 个。</translation>
+    </message>
+    <message>
+        <source>%1: line %2: %3</source>
+        <translation>%1：第 %2 行：%3</translation>
+    </message>
+    <message>
+        <source>expected quotes only around a whole field.</source>
+        <translation>引号只能括住整个字段。</translation>
+    </message>
+    <message>
+        <source>expected a closing quote, found the end of the file.</source>
+        <translation>缺少右引号，文件已结束。</translation>
+    </message>
+    <message>
+        <source>expected a comma after the closing quote.</source>
+        <translation>右引号之后应为逗号。</translation>
+    </message>
+    <message>
+        <source>a table</source>
+        <translation>表格</translation>
+    </message>
+    <message>
+        <source>a version 1.x of LIF</source>
+        <translation>LIF 1.x 版本</translation>
+    </message>
+    <message>
+        <source>a nodeId that no other node has</source>
+        <translation>不重复的 nodeId</translation>
+    </message>
+    <message>
+        <source>the nodeId of a node of this file</source>
+        <translation>本文件中某个节点的 nodeId</translation>
+    </message>
+    <message>
+        <source>a LIF layout</source>
+        <translation>LIF 布局文件</translation>
+    </message>
+    <message>
+        <source>%1: the site would have more than 10 000 routes, zones or points of a route.</source>
+        <translation>%1：场地的路径、区域或某条路径的点数将超过 10 000。</translation>
+    </message>
+    <message>
+        <source>the site has no tile %1.</source>
+        <translation>场地没有地板砖 %1。</translation>
+    </message>
+    <message>
+        <source>expected an index from 1 to %1, found %2.</source>
+        <translation>序号应为 1 到 %1，实际为 %2。</translation>
+    </message>
+    <message>
+        <source>this tag stands already in line %1.</source>
+        <translation>该电子标签已在第 %1 行出现。</translation>
+    </message>
+    <message>
+        <source>expected metres from -100000 to 100000, found %1.</source>
+        <translation>应为 -100000 到 100000 之间的米数，实际为 %1。</translation>
+    </message>
+    <message>
+        <source>tag %1 stands already in line %2.</source>
+        <translation>电子标签 %1 已在第 %2 行出现。</translation>
+    </message>
+    <message>
+        <source>tag %1 would be registered twice: as %2 and as %3.</source>
+        <translation>电子标签 %1 将被登记两次：%2 和 %3。</translation>
+    </message>
+    <message>
+        <source>a loose tag</source>
+        <translation>单独电子标签</translation>
+    </message>
+    <message>
+        <source>expected the header %1 or %2.</source>
+        <translation>首行应为 %1 或 %2。</translation>
     </message>
 </context>
 <context>

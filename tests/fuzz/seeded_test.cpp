@@ -85,5 +85,19 @@ TEST(SeededFuzz, siteFilesDoNoHarm) {
   for (int i = 0; i < 20'000; ++i) site(mutator.changed({seeds.back()}));
 }
 
+TEST(SeededFuzz, tablesOfTagsDoNoHarm) {
+  const auto seeds = csvSeeds();
+  for (const Input& seed : seeds) csv(seed);
+  Mutator mutator{3};
+  for (int i = 0; i < 20'000; ++i) csv(mutator.changed(seeds));
+}
+
+TEST(SeededFuzz, layoutsDoNoHarm) {
+  const auto seeds = lifSeeds();
+  for (const Input& seed : seeds) lif(seed);
+  Mutator mutator{4};
+  for (int i = 0; i < 10'000; ++i) lif(mutator.changed(seeds));
+}
+
 }  // namespace
 }  // namespace tessera::fuzz

@@ -6,6 +6,7 @@
 #include "floor/site_json.h"
 #include "floor/site_map.h"
 #include "fuzz/targets.h"
+#include "sitecheck/site_checker.h"
 
 namespace tessera::fuzz {
 
@@ -23,8 +24,10 @@ void site(std::span<const std::uint8_t> input) {
   require(again.has_value(), "what was written can be read");
   require(floor::writeSite(*again) == written, "reading and writing changes no byte");
   const auto map = floor::SiteMap::build(*parsed);
+  const sitecheck::Verdict verdict = sitecheck::checkSite(*parsed);
   if (!map) {
     require(!map.error().sentence.empty(), "a refusal says why");
+    require(verdict.count(sitecheck::Severity::Error) > 0, "what is refused is an error of the check");
     return;
   }
   std::size_t seen = 0;

@@ -15,12 +15,18 @@ using Input = std::vector<std::uint8_t>;
 
 /// Bytes from the radio: decoder, message decoders, commands, replay guard.
 void wire(std::span<const std::uint8_t> input);
-/// A site file's text: parser, writer, map.
+/// A site file's text: parser, writer, map, check.
 void site(std::span<const std::uint8_t> input);
+/// A table of tags.
+void csv(std::span<const std::uint8_t> input);
+/// A LIF layout.
+void lif(std::span<const std::uint8_t> input);
 
 /// Inputs to begin with: good ones of every kind.
 [[nodiscard]] std::vector<Input> wireSeeds();
 [[nodiscard]] std::vector<Input> siteSeeds(const std::string& folderOfSites);
+[[nodiscard]] std::vector<Input> csvSeeds();
+[[nodiscard]] std::vector<Input> lifSeeds();
 
 /// Not assert(): it must hold in optimised builds as well.
 inline void require(bool promise, const char* what) {

@@ -107,6 +107,22 @@ TEST(Region, theUnionOfManyBoxesIsThatOfItsParts) {
   }
 }
 
+TEST(Region, theUnionOfThousandsOfBoxesThatDoNotFitIsWhole) {
+  std::mt19937_64 random{6};
+  std::uniform_real_distribution<double> off{0.0, 0.2};
+  std::vector<Box> boxes;
+  for (int x = 0; x < 80; ++x) {
+    for (int y = 0; y < 60; ++y) {
+      if (x == 40 && y == 30) continue;
+      boxes.push_back(box(x - off(random), y - off(random), x + 1 + off(random), y + 1 + off(random)));
+    }
+  }
+  const Region all = Region::unionOf(boxes);
+  EXPECT_EQ(all.pieces().size(), 1U);
+  EXPECT_FALSE(all.contains(at(40.5, 30.5)));
+  EXPECT_EQ(all.rings().size(), 2U) << "an outline and one hole";
+}
+
 TEST(Region, saysWhereAStraightWayLiesInside) {
   const Region ring = square(0, 0, 4, 4) - square(1, 1, 3, 3);
   const auto through = ring.within(at(-1, 2), at(5, 2));

@@ -148,7 +148,7 @@ TEST(TileFaults, beyondAThousandOfAKindTheRestIsCounted) {
   }
   const Faults faults = faultsOf(site, FaultKind::TileUnregistered);
   ASSERT_EQ(faults.size(), 1001U);
-  EXPECT_THAT(faults.back().sentence.english(), HasSubstr("500 more"));
+  EXPECT_THAT(faults.back().sentence.english(), HasSubstr("one by one: 500"));
   EXPECT_NEAR(faults.back().place->high.x.value(), 900.0, 1e-6);
 }
 

@@ -1,0 +1,117 @@
+#include "sitediff/figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "base/polyline.h"
+#include "floor/laid_tile.h"
+#include "region/region.h"
+
+namespace tessera::sitediff {
+namespace {
+
+using floor::Site;
+using floor::VehicleSetup;
+using region::Region;
+
+constexpr double kSharpCorner = 0.35;  // rad, as the speed plan has it
+constexpr double kBrakingShare = 0.5;  // likewise
+
+struct SlowArea {
+  Region area;
+  double speed;
+};
+
+// From standing to standing: up, along, down; short ways never reach the speed.
+double timeBetweenStops(double way, double speed, double acceleration) {
+  const double up = acceleration;
+  const double down = kBrakingShare * acceleration;
+  const double ramps = speed * speed / 2 * (1 / up + 1 / down);
+  if (way >= ramps) return way / speed + speed / 2 * (1 / up + 1 / down);
+  const double peak = std::sqrt(2 * way / (1 / up + 1 / down));
+  return peak / up + peak / down;
+}
+
+// Seconds lost on a leg in slow zones; of several the lowest speed holds.
+double lostInSlowZones(Point a, Point b, double speed, const std::vector<SlowArea>& slow) {
+  std::vector<double> cuts{0.0, 1.0};
+  for (const SlowArea& s : slow)
+    for (const region::Stretch& part : s.area.within(a, b)) cuts.insert(cuts.end(), {part.from, part.to});
+  std::sort(cuts.begin(), cuts.end());
+  double lost = 0.0;
+  const double way = distance(a, b).value();
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const Point middle = a + 0.5 * (cuts[i] + cuts[i + 1]) * (b - a);
+    double limit = speed;
+    for (const SlowArea& s : slow)
+      if (s.speed < limit && s.area.contains(middle)) limit = s.speed;
+    lost += (cuts[i + 1] - cuts[i]) * way * (1 / limit - 1 / speed);
+  }
+  return lost;
+}
+
+RouteFigures routeFigures(const floor::Route& route, const VehicleSetup& v, double speed,
+                          const std::vector<SlowArea>& slow) {
+  const Polyline line{route.vertices};
+  RouteFigures figures{route.name, line.length(), 0, {}};
+  double seconds = 0.0;
+  double stoppedAt = 0.0;
+  for (std::size_t leg = 0; leg < line.legCount(); ++leg) {
+    seconds += lostInSlowZones(line.vertices()[leg], line.vertices()[leg + 1], speed, slow);
+    const bool last = leg + 1 == line.legCount();
+    const double turn = last ? 0.0 : std::abs(turnBetween(line.headingOf(leg), line.headingOf(leg + 1)).value());
+    if (!last && turn < kSharpCorner) continue;
+    ++figures.stops;
+    const double here = line.startOf(leg + 1).value();
+    seconds += timeBetweenStops(here - stoppedAt, speed, v.acceleration.value()) + turn / v.maxTurnRate.value();
+    stoppedAt = here;
+  }
+  figures.time = Seconds{seconds};
+  return figures;
+}
+
+void tiles(const Site& site, Figures& figures) {
+  std::unordered_map<std::string_view, const floor::TileType*> types;
+  std::unordered_map<std::string_view, std::size_t> tags;
+  for (const floor::TileType& t : site.tileTypes)
+    if (types.emplace(t.name, &t).second) tags[t.name] = tagOffsets(t).size();
+  std::unordered_map<std::string_view, const floor::Tile*> known;
+  for (const floor::Tile& t : site.tiles) known.emplace(t.serial, &t);
+  std::vector<Box> boxes;
+  for (const floor::Placement& p : site.placements) {
+    const auto tile = known.find(p.serial);
+    if (tile == known.end()) continue;
+    const auto type = types.find(tile->second->type);
+    if (type == types.end()) continue;
+    ++figures.tilesLaid;
+    figures.tagPlaces += tags[type->first];
+    figures.registered += static_cast<std::size_t>(std::count_if(tile->second->uids.begin(), tile->second->uids.end(),
+                                                                 [](const floor::TagUid& u) { return !u.empty(); }));
+    boxes.push_back(boxOf(p, *type->second));
+  }
+  figures.tilesKnown = site.tiles.size();
+  figures.floorSquareMetres = Region::unionOf(boxes).squareMetres();
+}
+
+}  // namespace
+
+Figures figuresOf(const Site& site, std::optional<MetresPerSecond> speed) {
+  Figures figures;
+  tiles(site, figures);
+  figures.looseTags = site.looseTags.size();
+  figures.vehicles = site.vehicles.size();
+  std::vector<SlowArea> slow;
+  for (const floor::Zone& zone : site.zones) {
+    const Region area = Region::of(zone.outline);
+    figures.zones.push_back({zone.name, zone.kind, area.squareMetres()});
+    if (zone.kind == floor::ZoneKind::Slow && zone.speed && zone.speed->value() > 0.0)
+      slow.push_back({area, zone.speed->value()});
+  }
+  const VehicleSetup vehicle = site.vehicles.empty() ? VehicleSetup{} : site.vehicles.front();
+  const double v = std::min(speed.value_or(vehicle.maxSpeed), vehicle.maxSpeed).value();
+  for (const floor::Route& route : site.routes) figures.routes.push_back(routeFigures(route, vehicle, v, slow));
+  return figures;
+}
+
+}  // namespace tessera::sitediff
