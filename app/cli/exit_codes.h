@@ -5,7 +5,8 @@ namespace tessera::cli {
 
 enum ExitCode : int {
   kDone = 0,          ///< did what was asked
-  kNotFinished = 1,   ///< ran, but a vehicle is not at its route's end; or the radio module differs from the site
+  kNotFinished = 1,   ///< ran, but a vehicle is not at its route's end, the radio module differs from
+                      ///< the site, a site has errors, or two sites differ
   kUsage = 2,         ///< the words of the call are wrong
   kBadInput = 3,      ///< a file cannot be read or contradicts itself
   kNoPort = 4,        ///< the port, the radio module's answer or the simulated world could not be had
@@ -14,8 +15,8 @@ enum ExitCode : int {
 };
 
 inline constexpr const char* kExitCodeHelp =
-    "Exit codes: 0 done; 1 a vehicle did not reach its route's end, or the radio module differs from the site;\n"
-    "2 wrong call; 3 a file cannot be read or contradicts itself; 4 no port, no answer from the radio module or no\n"
-    "simulated world; 5 a result could not be written; 130 interrupted.";
+    "Exit codes: 0 done; 1 a vehicle did not reach its route's end, the radio module differs from the site, a site\n"
+    "has errors, or two sites differ; 2 wrong call; 3 a file cannot be read or contradicts itself; 4 no port, no answer\n"
+    "from the radio module or no simulated world; 5 a result could not be written; 130 interrupted.";
 
 }  // namespace tessera::cli

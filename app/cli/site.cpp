@@ -1,53 +1,215 @@
-// `tessera-cli site check`: reads a site as the supervisor would and says what is in it.
+// `tessera-cli site`: makes, checks, compares and counts site files.
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
 #include "app/cli/exit_codes.h"
 #include "app/cli/output.h"
+#include "app/cli/site_convert.h"
+#include "app/cli/site_output.h"
+#include "floor/new_floor.h"
 #include "floor/site_json.h"
 #include "floor/site_map.h"
+#include "floor/site_names.h"
+#include "floor/text_file.h"
+#include "sitecheck/site_checker.h"
+#include "sitediff/figures.h"
 
 namespace tessera::cli {
 namespace {
+
+using floor::Site;
+
+struct SiteWords {
+  std::string file;
+  std::string other;
+  std::string tileType;
+  std::string name;
+  int columns = 0;
+  int rows = 0;
+  double speed = 0;
+  bool practice = false;
+  bool force = false;
+  bool all = false;
+  bool json = false;
+};
 
 // "1 zone", "2 zones".
 std::string counted(std::size_t count, const std::string& thing) {
   return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
-int check(const std::string& file, bool asJson) {
-  auto site = floor::loadSite(file);
+nlohmann::json countsOf(const Site& site, const sitediff::Figures& figures) {
+  return {
+      {"name", site.name},          {"tiles", site.placements.size()}, {"tags", figures.registered + figures.looseTags},
+      {"zones", site.zones.size()}, {"routes", site.routes.size()},    {"vehicles", site.vehicles.size()}};
+}
+
+std::string sentenceOf(const Site& site, const sitediff::Figures& figures) {
+  return site.name + ": " + counted(site.placements.size(), "tile") + " laid, " +
+         counted(figures.registered + figures.looseTags, "tag") + " registered, " + counted(site.zones.size(), "zone") +
+         ", " + counted(site.routes.size(), "route") + ", " + counted(site.vehicles.size(), "vehicle") + ".";
+}
+
+// Of a kind that a floor has hundreds of, a person reads a few.
+void sayFaults(const sitecheck::Verdict& verdict, bool all) {
+  constexpr std::size_t most = 20;
+  std::array<std::size_t, sitecheck::kFaultKinds> told{};
+  verdict.forEach([&](const sitecheck::Fault& fault) {
+    if (++told.at(static_cast<std::size_t>(fault.kind)) <= most || all) say(lineOf(fault));
+  });
+  for (std::size_t kind = 0; kind < told.size() && !all; ++kind)
+    if (told.at(kind) > most)
+      say("... and " + std::to_string(told.at(kind) - most) + " more of " +
+          std::string{codeOf(static_cast<sitecheck::FaultKind>(kind))} + "; --all lists them.");
+}
+
+int check(const SiteWords& words) {
+  const auto site = floor::loadSite(words.file);
   if (!site) return complain(site.error().sentence, kBadInput);
-  auto map = floor::SiteMap::build(std::move(*site));
-  if (!map) return complain(file + ": " + map.error().sentence.english(), kBadInput);
-  const floor::Site& s = (*map)->site();
-  const nlohmann::json counts{
-      {"name", s.name},          {"tiles", s.placements.size()}, {"tags", (*map)->tags().size()},
-      {"zones", s.zones.size()}, {"routes", s.routes.size()},    {"vehicles", s.vehicles.size()}};
-  if (asJson) {
-    say(counts.dump(2));
+  const sitecheck::Verdict verdict = sitecheck::checkSite(*site);
+  const auto figures = sitediff::figuresOf(*site);
+  const std::size_t errors = verdict.count(sitecheck::Severity::Error);
+  if (words.json) {
+    nlohmann::json result = countsOf(*site, figures);
+    result["errors"] = errors;
+    result["warnings"] = verdict.size() - errors;
+    result["faults"] = nlohmann::json::array();
+    verdict.forEach([&](const sitecheck::Fault& fault) { result["faults"].push_back(jsonOf(fault)); });
+    say(result.dump(2));
   } else {
-    say(s.name + ": " + counted(s.placements.size(), "tile") + " laid, " + counted((*map)->tags().size(), "tag") +
-        " registered, " + counted(s.zones.size(), "zone") + ", " + counted(s.routes.size(), "route") + ", " +
-        counted(s.vehicles.size(), "vehicle") + ".");
+    say(sentenceOf(*site, figures));
+    sayFaults(verdict, words.all);
+    if (verdict.size() > 0) say(counted(errors, "error") + ", " + counted(verdict.size() - errors, "warning") + ".");
+  }
+  if (const auto map = floor::SiteMap::build(*site); !map)
+    return complain(words.file + ": " + map.error().sentence.english(), kBadInput);
+  return errors > 0 ? kNotFinished : kDone;
+}
+
+int make(const SiteWords& words) {
+  floor::NewFloor wish{
+      words.name.empty() ? stemOf(words.file) : words.name, {}, words.columns, words.rows, words.practice};
+  for (const floor::TileType& type : floor::usualTileTypes())
+    if (type.name == words.tileType) wish.type = type;
+  const auto site = layNewFloor(wish);
+  if (!site) return complain(site.error().sentence, kBadInput);
+  const auto written =
+      saveText(writeSite(*site), words.file, words.force ? floor::Replacing::Allowed : floor::Replacing::Refused);
+  if (!written)
+    return complain(written.error().sentence.english() + (words.force ? "" : " See --force."), kCannotWrite);
+  const auto figures = sitediff::figuresOf(*site);
+  say(words.json ? countsOf(*site, figures).dump(2) : sentenceOf(*site, figures));
+  return kDone;
+}
+
+int compare(const SiteWords& words) {
+  const auto before = floor::loadSite(words.file);
+  if (!before) return complain(before.error().sentence, kBadInput);
+  const auto after = floor::loadSite(words.other);
+  if (!after) return complain(after.error().sentence, kBadInput);
+  const sitediff::Changes changes = sitediff::difference(*before, *after);
+  if (words.json) {
+    nlohmann::json result{{"equal", changes.empty()}, {"changes", nlohmann::json::array()}};
+    for (const sitediff::Change& change : changes) result["changes"].push_back(jsonOf(change));
+    say(result.dump(2));
+  } else {
+    for (const sitediff::Change& change : changes) say(change.sentence.english());
+    if (changes.empty()) say("The sites are equal.");
+  }
+  return changes.empty() ? kDone : kNotFinished;
+}
+
+nlohmann::json jsonOf(const sitediff::Figures& f) {
+  nlohmann::json result{
+      {"tiles_known", f.tilesKnown},      {"tiles_laid", f.tilesLaid},         {"tag_places", f.tagPlaces},
+      {"tags_registered", f.registered},  {"loose_tags", f.looseTags},         {"floor_m2", f.floorSquareMetres},
+      {"zones", nlohmann::json::array()}, {"routes", nlohmann::json::array()}, {"vehicles", f.vehicles}};
+  for (const auto& zone : f.zones)
+    result["zones"].push_back({{"name", zone.name},
+                               {"kind", floor::kZoneKindNames.at(static_cast<std::size_t>(zone.kind))},
+                               {"area_m2", zone.squareMetres}});
+  for (const auto& route : f.routes)
+    result["routes"].push_back({{"name", route.name},
+                                {"length_m", route.length.value()},
+                                {"stops", route.stops},
+                                {"time_s", route.time.value()}});
+  return result;
+}
+
+int count(const SiteWords& words) {
+  const auto site = floor::loadSite(words.file);
+  if (!site) return complain(site.error().sentence, kBadInput);
+  const auto f =
+      sitediff::figuresOf(*site, words.speed > 0 ? std::optional{MetresPerSecond{words.speed}} : std::nullopt);
+  if (words.json) {
+    say(jsonOf(f).dump(2));
+    return kDone;
+  }
+  char text[700];
+  const double share =
+      f.tagPlaces == 0 ? 0.0 : 100.0 * static_cast<double>(f.registered) / static_cast<double>(f.tagPlaces);
+  std::snprintf(text, sizeof text,
+                "Tiles: %zu known, %zu laid, %.2f m². Tags: %zu of %zu registered (%.1f %%), %zu loose.", f.tilesKnown,
+                f.tilesLaid, f.floorSquareMetres, f.registered, f.tagPlaces, share, f.looseTags);
+  say(text);
+  for (const auto& zone : f.zones) {
+    std::snprintf(text, sizeof text, ": %.2f m²", zone.squareMetres);
+    say("Zone " + zone.name + ", " + std::string{floor::kZoneKindNames.at(static_cast<std::size_t>(zone.kind))} + text);
+  }
+  for (const auto& route : f.routes) {
+    std::snprintf(text, sizeof text, ": %.2f m, %d stops, %.0f s", route.length.value(), route.stops,
+                  route.time.value());
+    say("Route " + route.name + text);
   }
   return kDone;
+}
+
+std::vector<std::string> tileTypeNames() {
+  std::vector<std::string> names;
+  for (const floor::TileType& type : floor::usualTileTypes()) names.push_back(type.name);
+  return names;
+}
+
+CLI::App* addPart(CLI::App& site, const char* name, const char* help, const std::shared_ptr<SiteWords>& words,
+                  int (*what)(const SiteWords&), Run& run) {
+  CLI::App* part = site.add_subcommand(name, help);
+  part->add_flag("--json", words->json, "Print the result as JSON");
+  part->callback([words, what, &run] { run = [words, what] { return what(*words); }; });
+  return part;
 }
 
 }  // namespace
 
 void addSite(CLI::App& app, Run& run) {
-  auto* site = app.add_subcommand("site", "Work with site files");
+  auto* site = app.add_subcommand("site", "Make, check, convert, compare and count site files");
   site->require_subcommand(1);
-  auto* command = site->add_subcommand("check", "Read a site file and say what is in it, or what is wrong with it");
-  struct Words {
-    std::string file;
-    bool json = false;
-  };
-  auto words = std::make_shared<Words>();
-  command->add_option("FILE", words->file, "A *.tessera.json file")->required();
-  command->add_flag("--json", words->json, "Print a JSON object");
-  command->callback([words, &run] { run = [words] { return check(words->file, words->json); }; });
+  auto words = std::make_shared<SiteWords>();
+  constexpr const char* kFile = "A *.tessera.json file";
+  auto* making = addPart(*site, "new", "Write a floor of equal tiles, side by side", words, make, run);
+  making->add_option("OUT", words->file, "The file to write: *.tessera.json")->required();
+  making->add_option("--tile-type", words->tileType, "Size, pattern and pitch of the tiles")
+      ->required()
+      ->check(CLI::IsMember(tileTypeNames()));
+  making->add_option("--columns", words->columns, "Tiles along x")
+      ->required()
+      ->check(CLI::Range(1, floor::NewFloor::kMost));
+  making->add_option("--rows", words->rows, "Tiles along y")->required()->check(CLI::Range(1, floor::NewFloor::kMost));
+  making->add_option("--name", words->name, "The site's name; default: the file's");
+  making->add_flag("--practice", words->practice, "Made-up UIDs and one vehicle, to try it in the simulated world");
+  making->add_flag("--force", words->force, "Replace the file if it is there");
+  auto* checking = addPart(*site, "check", "Read a site file and list its faults", words, check, run);
+  checking->add_option("FILE", words->file, kFile)->required();
+  checking->add_flag("--all", words->all, "List every fault; default: 20 of each kind");
+  addSiteConvert(*site, run);
+  auto* comparing = addPart(*site, "diff", "Say what changes from one site to another", words, compare, run);
+  comparing->add_option("BEFORE", words->file, kFile)->required();
+  comparing->add_option("AFTER", words->other, kFile)->required();
+  auto* counting = addPart(*site, "stats", "Count tiles, tags, areas, lengths and travel times", words, count, run);
+  counting->add_option("FILE", words->file, kFile)->required();
+  counting->add_option("--speed", words->speed, "On the routes, m/s; default: the vehicle's highest")
+      ->check(CLI::Range(0.01, 20.0));
+  for (CLI::App* sub : site->get_subcommands({})) sub->footer(kExitCodeHelp);
 }
 
 }  // namespace tessera::cli

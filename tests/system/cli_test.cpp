@@ -57,8 +57,15 @@ INSTANTIATE_TEST_SUITE_P(
         Call{"radioWrite",
              {"radio", "write", "--help"},
              {"--port", "--lines", "--json", "--site", "--channel", "--air-rate", "--baud", "--power"}},
-        Call{"ports", {"ports", "--help"}, {"--json"}}, Call{"site", {"site", "--help"}, {"check"}},
-        Call{"siteCheck", {"site", "check", "--help"}, {"FILE", "--json"}}),
+        Call{"ports", {"ports", "--help"}, {"--json"}},
+        Call{"site", {"site", "--help"}, {"new", "check", "convert", "diff", "stats"}},
+        Call{"siteCheck", {"site", "check", "--help"}, {"FILE", "--all", "--json"}},
+        Call{"siteNew",
+             {"site", "new", "--help"},
+             {"--tile-type", "--columns", "--rows", "--name", "--practice", "--force"}},
+        Call{"siteConvert", {"site", "convert", "--help"}, {"IN", "OUT", "--to", "--onto", "--force", "--json"}},
+        Call{"siteDiff", {"site", "diff", "--help"}, {"BEFORE", "AFTER"}},
+        Call{"siteStats", {"site", "stats", "--help"}, {"FILE", "--speed"}}),
     kNameOf);
 
 // A refusal: this exit code, one line on standard error with the words, nothing on standard output.

@@ -1,0 +1,113 @@
+#include "app/cli/site_convert.h"
+
+#include <QDateTime>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/exit_codes.h"
+#include "app/cli/output.h"
+#include "app/cli/site_output.h"
+#include "exchange/lif.h"
+#include "exchange/tag_tables.h"
+#include "floor/json_node.h"
+#include "floor/site_json.h"
+#include "floor/text_file.h"
+
+namespace tessera::cli {
+namespace {
+
+using exchange::Preview;
+
+struct ConvertWords {
+  std::string in;
+  std::string out;
+  std::string to;
+  std::string onto;
+  bool force = false;
+  bool json = false;
+};
+
+// "csv", "lif" or "json", by the ending.
+std::string formatOf(const std::string& file) {
+  if (file.ends_with(".csv")) return "csv";
+  if (file.ends_with(".lif") || file.ends_with(".lif.json")) return "lif";
+  return file.ends_with(".json") ? "json" : "";
+}
+
+Result<Preview> readFrom(const ConvertWords& words) {
+  floor::Site onto;
+  onto.name = stemOf(words.in);
+  if (!words.onto.empty()) {
+    auto site = floor::loadSite(words.onto);
+    if (!site) return tl::unexpected{std::move(site.error())};
+    onto = std::move(*site);
+  }
+  const std::string format = formatOf(words.in);
+  if (format != "csv" && format != "lif") {
+    auto site = floor::loadSite(words.in);
+    if (!site) return tl::unexpected{std::move(site.error())};
+    return Preview{std::move(*site), {}, {}};
+  }
+  const auto text = floor::loadText(words.in, floor::kMostJson + 1);
+  if (!text) return tl::unexpected{text.error()};
+  return format == "csv" ? exchange::importTags(onto, *text, words.in) : exchange::importLif(onto, *text, words.in);
+}
+
+struct Written {
+  std::string text;
+  std::vector<Sentence> leftOut;
+};
+Written writtenAs(const std::string& format, const floor::Site& site) {
+  if (format == "csv") return {exchange::writeTileTags(site), {}};
+  if (format == "csv-loose") return {exchange::writeLooseTags(site), {}};
+  if (format == "json") return {writeSite(site), {}};
+  auto lif = exchange::writeLif(site, QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString());
+  return {std::move(lif.text), std::move(lif.leftOut)};
+}
+
+int convert(const ConvertWords& words) {
+  const std::string format = words.to.empty() ? formatOf(words.out) : words.to;
+  if (format.empty())
+    return complain("The ending of " + words.out + " says no format: add --to json, csv, csv-loose or lif.", kUsage);
+  if (formatOf(words.in) == "csv" && words.onto.empty())
+    return complain("A table of tags needs the site whose tags they are: add --onto SITE.", kUsage);
+  if (formatOf(words.in) == "json" && !words.onto.empty())
+    return complain("--onto is for tables and layouts; " + words.in + " is a site.", kUsage);
+  const auto preview = readFrom(words);
+  if (!preview) return complain(preview.error().sentence, kBadInput);
+  const Written written = writtenAs(format, preview->site);
+  std::vector<Sentence> notes = preview->notes;
+  notes.insert(notes.end(), written.leftOut.begin(), written.leftOut.end());
+  const auto saved =
+      saveText(written.text, words.out, words.force ? floor::Replacing::Allowed : floor::Replacing::Refused);
+  if (!saved) return complain(saved.error().sentence.english() + (words.force ? "" : " See --force."), kCannotWrite);
+  if (words.json) {
+    nlohmann::json result{{"written", words.out}, {"format", format}, {"notes", jsonOf(notes)}};
+    result["changes"] = nlohmann::json::array();
+    for (const sitediff::Change& change : preview->changes) result["changes"].push_back(jsonOf(change));
+    say(result.dump(2));
+    return kDone;
+  }
+  for (const sitediff::Change& change : preview->changes) say(change.sentence.english());
+  for (const Sentence& note : notes) say(note.english());
+  say("Written: " + words.out);
+  return kDone;
+}
+
+}  // namespace
+
+void addSiteConvert(CLI::App& site, Run& run) {
+  auto words = std::make_shared<ConvertWords>();
+  auto* command = site.add_subcommand(
+      "convert",
+      "Turn a site (*.tessera.json) into a table of its tags (*.csv) or a VDMA layout (*.lif.json), or back");
+  command->add_option("IN", words->in, "A site, a table of tags or a layout, by its ending")->required();
+  command->add_option("OUT", words->out, "The file to write")->required();
+  command->add_option("--to", words->to, "Format of OUT; default: by its ending")
+      ->check(CLI::IsMember({"json", "csv", "csv-loose", "lif"}));
+  command->add_option("--onto", words->onto, "The site that a table or a layout is read into");
+  command->add_flag("--force", words->force, "Replace OUT if it is there");
+  command->add_flag("--json", words->json, "Print what changed and what was left out as JSON");
+  command->callback([words, &run] { run = [words] { return convert(*words); }; });
+}
+
+}  // namespace tessera::cli

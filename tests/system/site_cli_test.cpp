@@ -1,0 +1,140 @@
+// `tessera-cli site`: from a new floor to tables and layouts and back, as a script would do it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QTemporaryDir>
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/exit_codes.h"
+#include "system/program.h"
+
+namespace tessera::system_test {
+namespace {
+
+using testing::HasSubstr;
+using Words = std::vector<std::string>;
+
+class SiteCommands : public testing::Test {
+protected:
+  [[nodiscard]] std::string at(const std::string& name) const { return folder_.path().toStdString() + "/" + name; }
+  static std::string bytesOf(const std::string& path) {
+    std::ifstream in{path, std::ios::binary};
+    return {std::istreambuf_iterator<char>{in}, {}};
+  }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream{at(name), std::ios::binary} << text;
+  }
+  // Runs `site ...`: its standard output; complaints stay in errors().
+  std::string run(Words words, int code) {
+    words.insert(words.begin(), "site");
+    Program cli{TESSERA_CLI, words};
+    EXPECT_EQ(cli.exitCode(), code) << cli.errors() << cli.output();
+    errors_ = cli.errors();
+    return cli.output();
+  }
+  nlohmann::json json(Words words, int code) {
+    words.emplace_back("--json");
+    return nlohmann::json::parse(run(std::move(words), code), nullptr, false);
+  }
+  void makeFloor(const std::string& name, bool practice) {
+    Words words{"new", at(name), "--tile-type", "60x60 one-in-two 15", "--columns", "5", "--rows", "4"};
+    if (practice) words.emplace_back("--practice");
+    run(words, cli::kDone);
+  }
+  [[nodiscard]] const std::string& errors() const { return errors_; }
+
+private:
+  QTemporaryDir folder_;
+  std::string errors_;
+};
+
+TEST_F(SiteCommands, makeAFloorThatIsNotWrittenOver) {
+  makeFloor("hall.tessera.json", true);
+  EXPECT_EQ(json({"check", at("hall.tessera.json")}, cli::kDone)["tags"], 160);
+  EXPECT_EQ(json({"check", at("hall.tessera.json")}, cli::kDone)["name"], "hall");
+  const std::string before = bytesOf(at("hall.tessera.json"));
+  const Words again{"new", at("hall.tessera.json"), "--tile-type", "30x30 full 15", "--columns", "1", "--rows", "1"};
+  EXPECT_EQ(run(again, cli::kCannotWrite), "");
+  EXPECT_THAT(errors(), HasSubstr("--force"));
+  EXPECT_EQ(bytesOf(at("hall.tessera.json")), before);
+  Words forced = again;
+  forced.emplace_back("--force");
+  EXPECT_EQ(json(forced, cli::kDone)["tiles"], 1);
+}
+
+TEST_F(SiteCommands, refuseWordsThatAreWrong) {
+  run({"new", at("x"), "--tile-type", "marble", "--columns", "1", "--rows", "1"}, cli::kUsage);
+  run({"new", at("x"), "--tile-type", "30x30 full 15", "--columns", "0", "--rows", "1"}, cli::kUsage);
+  run({"convert", at("a.csv"), at("b.tessera.json")}, cli::kUsage);
+  run({"convert", TESSERA_SITES "/paper.tessera.json", at("b.txt")}, cli::kUsage);
+  run({"diff", at("a")}, cli::kUsage);
+}
+
+TEST_F(SiteCommands, listFaultsWithTheirPlaces) {
+  makeFloor("hall.tessera.json", true);
+  auto site = nlohmann::json::parse(bytesOf(at("hall.tessera.json")));
+  site["placements"][7]["x_m"] = 0.9;
+  site["tiles"][2]["uids"] = nlohmann::json::array();
+  write("broken.tessera.json", site.dump());
+  const auto found = json({"check", at("broken.tessera.json")}, cli::kNotFinished);
+  EXPECT_EQ(found["errors"], 1);
+  const auto overlap = std::find_if(found["faults"].begin(), found["faults"].end(),
+                                    [](const auto& f) { return f["kind"] == "tiles-overlap"; });
+  ASSERT_NE(overlap, found["faults"].end());
+  EXPECT_EQ((*overlap)["severity"], "error");
+  EXPECT_EQ((*overlap)["objects"][0]["name"], "T-0008");
+  EXPECT_NEAR((*overlap)["place"]["low_m"][0].get<double>(), 0.9, 1e-9);
+  EXPECT_THAT(run({"check", at("broken.tessera.json")}, cli::kNotFinished),
+              HasSubstr("tile-unregistered at (1.50, 0.30) m"));
+  site["tiles"][3]["uids"][0] = site["tiles"][4]["uids"][0];
+  write("twice.tessera.json", site.dump());
+  EXPECT_THAT(run({"check", at("twice.tessera.json")}, cli::kBadInput), HasSubstr("uid-twice"));
+  EXPECT_THAT(errors(), HasSubstr("two places"));
+}
+
+TEST_F(SiteCommands, carryTagsFromOneFloorToAnother) {
+  makeFloor("full.tessera.json", true);
+  makeFloor("bare.tessera.json", false);
+  run({"convert", at("full.tessera.json"), at("tags.csv")}, cli::kDone);
+  const auto filled =
+      json({"convert", at("tags.csv"), at("filled.tessera.json"), "--onto", at("bare.tessera.json")}, cli::kDone);
+  EXPECT_EQ(filled["changes"].size(), 20U);
+  EXPECT_EQ(json({"stats", at("filled.tessera.json")}, cli::kDone)["tags_registered"], 160);
+  write("tags.csv", bytesOf(at("tags.csv")) + "T-0001,99,\n");
+  run({"convert", at("tags.csv"), at("other.tessera.json"), "--onto", at("bare.tessera.json")}, cli::kBadInput);
+  EXPECT_THAT(errors(), HasSubstr("tags.csv: line 162: expected an index from 1 to 8"));
+  EXPECT_EQ(bytesOf(at("other.tessera.json")), "") << "nothing was written";
+}
+
+TEST_F(SiteCommands, carryRoutesThroughALayout) {
+  const std::string paper = TESSERA_SITES "/paper.tessera.json";
+  const auto out = json({"convert", paper, at("paper.lif.json")}, cli::kDone);
+  EXPECT_EQ(out["format"], "lif");
+  EXPECT_GT(out["notes"].size(), 0U);
+  run({"convert", at("paper.lif.json"), at("routes.tessera.json")}, cli::kDone);
+  const auto stats = json({"stats", at("routes.tessera.json")}, cli::kDone);
+  EXPECT_EQ(stats["routes"][0]["name"], "paper");
+  EXPECT_NEAR(stats["routes"][0]["length_m"].get<double>(), 4.8, 1e-9);
+  EXPECT_EQ(
+      json({"convert", at("paper.lif.json"), at("same.tessera.json"), "--onto", paper}, cli::kDone)["changes"].size(),
+      0U);
+  EXPECT_EQ(bytesOf(at("same.tessera.json")), bytesOf(paper));
+}
+
+TEST_F(SiteCommands, sayWhatDiffers) {
+  makeFloor("a.tessera.json", true);
+  makeFloor("b.tessera.json", true);
+  auto site = nlohmann::json::parse(bytesOf(at("b.tessera.json")));
+  site["name"] = "a";
+  site["placements"][3]["x_m"] = 7;
+  write("b.tessera.json", site.dump());
+  const auto changes = json({"diff", at("a.tessera.json"), at("b.tessera.json")}, cli::kNotFinished);
+  ASSERT_EQ(changes["changes"].size(), 1U);
+  EXPECT_EQ(changes["changes"][0]["kind"], "moved");
+  EXPECT_EQ(run({"diff", at("a.tessera.json"), at("a.tessera.json")}, cli::kDone), "The sites are equal.\n");
+}
+
+}  // namespace
+}  // namespace tessera::system_test
