@@ -33,7 +33,7 @@ const char* nameOf(E32Parameters::Parity parity) {
   return parity == E32Parameters::Parity::None ? "8N1" : parity == E32Parameters::Parity::Odd ? "8O1" : "8E1";
 }
 
-nlohmann::json jsonOf(const E32Parameters& p) {
+nlohmann::json jsonOfParameters(const E32Parameters& p) {
   return {{"address", p.address},
           {"channel", p.channel},
           {"frequency_mhz", 410 + p.channel},
@@ -85,7 +85,7 @@ Result<E32Parameters> ofSite(const std::string& file) {
 
 int tell(const RadioWords& words, const E32Parameters& p) {
   if (words.json)
-    say(jsonOf(p).dump(2));
+    say(jsonOfParameters(p).dump(2));
   else
     say("The radio module has: " + textOf(p) + ".");
   return kDone;
@@ -121,7 +121,8 @@ int check(const RadioWords& words) {
   if (!module) return complain(module.error().sentence, kNoPort);
   const auto differences = link::differencesFromSite(*module, *site);
   if (words.json) {
-    nlohmann::json result{{"module", jsonOf(*module)}, {"site", jsonOf(*site)}, {"matches", differences.empty()}};
+    nlohmann::json result{
+        {"module", jsonOfParameters(*module)}, {"site", jsonOfParameters(*site)}, {"matches", differences.empty()}};
     result["advice"] = nlohmann::json::array();
     for (const Sentence& sentence : differences) result["advice"].push_back(sentence.english());
     say(result.dump(2));

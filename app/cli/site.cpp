@@ -120,7 +120,7 @@ int compare(const SiteWords& words) {
   return changes.empty() ? kDone : kNotFinished;
 }
 
-nlohmann::json jsonOf(const sitediff::Figures& f) {
+nlohmann::json jsonOfFigures(const sitediff::Figures& f) {
   nlohmann::json result{
       {"tiles_known", f.tilesKnown},      {"tiles_laid", f.tilesLaid},         {"tag_places", f.tagPlaces},
       {"tags_registered", f.registered},  {"loose_tags", f.looseTags},         {"floor_m2", f.floorSquareMetres},
@@ -143,7 +143,7 @@ int count(const SiteWords& words) {
   const auto f =
       sitediff::figuresOf(*site, words.speed > 0 ? std::optional{MetresPerSecond{words.speed}} : std::nullopt);
   if (words.json) {
-    say(jsonOf(f).dump(2));
+    say(jsonOfFigures(f).dump(2));
     return kDone;
   }
   char text[700];

@@ -72,9 +72,10 @@ private:
   void nodes(const JsonNode& layout) {
     layout.objectWith({"layoutId", "layoutVersion", "nodes", "edges", "stations"});
     const std::size_t layoutNumber = layoutsRead_++;
-    const std::size_t count = layout["nodes"].array(0, kMostItems);
+    const JsonNode list = layout["nodes"];  // named: what is taken from it looks back to it
+    const std::size_t count = list.array(0, kMostItems);
     for (std::size_t i = 0; i < count && !layout.failed(); ++i) {
-      const JsonNode n = layout["nodes"][i];
+      const JsonNode n = list[i];
       n.objectWith({"nodeId", "nodePosition", "vehicleTypeNodeProperties"});
       const std::string id = n["nodeId"].text(1, 200);
       const Point place = position(n["nodePosition"]);
@@ -107,9 +108,10 @@ private:
   }
 
   void rest(const JsonNode& layout, std::size_t number) {
-    const std::size_t edgeCount = layout["edges"].array(0, kMostItems);
+    const JsonNode list = layout["edges"];  // named: what is taken from it looks back to it
+    const std::size_t edgeCount = list.array(0, kMostItems);
     for (std::size_t i = 0; i < edgeCount && !layout.failed(); ++i) {
-      const JsonNode e = layout["edges"][i];
+      const JsonNode e = list[i];
       e.objectWith({"edgeId", "startNodeId", "endNodeId", "vehicleTypeEdgeProperties"});
       const auto from = nodeNamed(e["startNodeId"]);
       const auto to = nodeNamed(e["endNodeId"]);
