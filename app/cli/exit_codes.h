@@ -16,8 +16,7 @@ enum ExitCode : int {
 
 inline constexpr const char* kExitCodeHelp =
     "Exit codes: 0 done; 1 a vehicle did not reach its route's end, the radio module differs from the site, a site\n"
-    "has errors, or two sites differ; 2 wrong call; 3 a file cannot be read or contradicts itself; 4 no port, no "
-    "answer\n"
-    "from the radio module or no simulated world; 5 a result could not be written; 130 interrupted.";
+    "has errors, or two sites differ; 2 wrong call; 3 a file cannot be read or contradicts itself; 4 no port,\n"
+    "no answer from the radio module or no simulated world; 5 a result could not be written; 130 interrupted.";
 
 }  // namespace tessera::cli

@@ -233,7 +233,7 @@ void VehicleAgent::watchState(Seconds now, EventLog& log) {
   const Change obstacle = stands && blind ? Change::None : obstacle_.update(stands, now);
   if (obstacle == Change::Begins)
     log.tell(Severity::Warning, EventKind::Obstacle, id(),
-             report.range == 255
+             report.range >= wire::kFarthestRange
                  ? phrase("Core", "%1 stands before an obstacle.").with(name_)
                  : phrase("Core", "%1 stands before an obstacle, %2 cm away.").with(name_, report.range));
   if (obstacle == Change::Ends)

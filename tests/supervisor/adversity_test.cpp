@@ -69,6 +69,14 @@ TEST_F(Adversity, aVehiclePutElsewhereIsToldAsLostUntilItsPlaceIsKnownAgain) {
   EXPECT_EQ(rig.told(EventKind::Located).size(), 1U) << "the first time only";
 }
 
+TEST_F(Adversity, whatIsFartherThanARangerTellsIsNoObstacle) {
+  rig.vehicle(1).range = 253;
+  ASSERT_TRUE(rig.runUntil([&] { return rig.view(1).obstacle.has_value(); }, Seconds{2}));
+  EXPECT_EQ(rig.view(1).obstacle, Metres{2.53});
+  rig.vehicle(1).range = 254;  // so far or farther
+  EXPECT_TRUE(rig.runUntil([&] { return !rig.view(1).obstacle.has_value(); }, Seconds{2}));
+}
+
 TEST_F(Adversity, anObstacleIsToldWithItsDistance) {
   rig.vehicle(1).blocked = true;
   ASSERT_TRUE(rig.runUntil([&] { return rig.view(1).state == wire::VehicleState::Obstacle; }, Seconds{2}));

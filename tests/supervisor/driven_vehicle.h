@@ -38,10 +38,11 @@ public:
     fake.report.travel = static_cast<std::uint16_t>(std::llround(travel_ * 1000.0));
     fake.report.speed = static_cast<std::int16_t>(std::lround(speed * 1000));
     fake.report.bearing = floor::toBinaryAngle(floor::bearingOfHeading(pose.heading, map_->site().northToY));
-    fake.report.range = blocked ? 23 : 255;
+    fake.report.range = blocked ? 23 : range;
   }
 
   FakeVehicle fake;
+  std::uint8_t range = 255;  ///< cm, as it is reported while nothing blocks the way
   Pose pose;
   double speed = 0;  // m/s
   bool blocked = false;

@@ -35,6 +35,7 @@ TEST(Fleet, ofTenSharesOneChannelAndStandsWhenAllAreStopped) {
   EXPECT_EQ(rig.air->overlaps, 0U);
   rig.supervisor.post(StopAll{});
   EXPECT_TRUE(rig.runUntil([&] { return rig.supervisor.allStopped(); }, Seconds{20}));
+  EXPECT_EQ(rig.told(EventKind::StoppedAll).size(), 1U) << "once, whatever each vehicle was doing";
 }
 
 TEST(Fleet, ofAHundredIsSeenWholeThoughOneChannelIsTooSmallForIt) {

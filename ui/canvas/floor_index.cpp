@@ -7,16 +7,9 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "floor/laid_tile.h"
+
 namespace tessera::ui {
-namespace {
-
-Offset quarterTurnedOffset(Offset l, int turns) {
-  for (int n = ((turns % 4) + 4) % 4; n > 0; --n) l = {-l.y, l.x};
-  return l;
-}
-
-}  // namespace
-
 FloorIndex::FloorIndex(const floor::Site& site) {
   std::unordered_map<std::string_view, const floor::TileType*> types;
   for (const floor::TileType& type : site.tileTypes) types.emplace(type.name, &type);
@@ -39,7 +32,7 @@ FloorIndex::FloorIndex(const floor::Site& site) {
     const auto [shape, isNew] = shapes.try_emplace({&type, turns}, static_cast<std::uint32_t>(shapes_.size()));
     if (isNew) {
       std::vector<Offset> offsets = floor::tagOffsets(type);
-      for (Offset& o : offsets) o = quarterTurnedOffset(o, turns);
+      for (Offset& o : offsets) o = floor::quarterTurned(o, turns);
       shapes_.push_back(std::move(offsets));
       if (type.pitch > Metres{}) pitch = std::min(pitch, type.pitch);
       smallest = std::min({smallest, type.width, type.height});
@@ -47,7 +40,7 @@ FloorIndex::FloorIndex(const floor::Site& site) {
     }
     SiteBox box;
     box.add(placement.origin);
-    box.add(placement.origin + quarterTurnedOffset({type.width, type.height}, turns));
+    box.add(floor::placeOn(placement, {type.width, type.height}));
     tiles_.push_back({box, placement.origin, shape->second, static_cast<std::uint32_t>(registered_.size()),
                       static_cast<std::uint32_t>(serials_.size())});
     serials_.push_back(placement.serial);
