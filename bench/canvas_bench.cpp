@@ -138,7 +138,7 @@ void measure(int tags, int vehicles) {
   canvas.resize(1600, 900);
   canvas.setAttribute(Qt::WA_DontShowOnScreen);
   canvas.show();
-  canvas.setMap(document.map());
+  canvas.openMap(document.map());
   canvas.setSelectedRoute("Route 1");
   double time = 0.0;
   for (; time < 60.0; time += 0.1) canvas.setSnapshot(snapshotAt(site, time));

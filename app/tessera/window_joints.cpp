@@ -35,6 +35,7 @@
 namespace tessera::desktop {
 
 void MainWindow::joinSite() {
+  connect(&document_, &ui::SiteDocument::replaced, this, [this] { canvas_->openMap(document_.map()); });
   connect(&document_, &ui::SiteDocument::changed, this, [this] {
     canvas_->setMap(document_.map());
     session_->useSite(document_.map());
@@ -49,7 +50,7 @@ void MainWindow::joinSite() {
     open_ = true;
     useTool(nullptr);
     showSite();
-    canvas_->fit();
+    canvas_->fit();  // it has its size only now
     const auto& site = document_.site();
     selection_.setVehicle(site.vehicles.empty() ? std::nullopt : std::optional{site.vehicles.front().id});
     selection_.setRoute(site.routes.empty() ? QString{} : QString::fromStdString(site.routes.front().name));

@@ -47,9 +47,9 @@ if [ ! -x "$root/bin/bash" ]; then
   mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' | grep -m 1 '/debian/*$' || true)
   start=$SECONDS
   mkdir -p "$root" && touch "$root/.made-by-fresh-debian"
-  debootstrap --variant=minbase bookworm "$root" "${mirror:-http://deb.debian.org/debian}" >"$root.log" 2>&1 ||
-    { tail -n 20 "$root.log" >&2; exit 1; }
-  rm -f "$root.log"
+  debootstrap --variant=minbase bookworm "$root" "${mirror:-http://deb.debian.org/debian}" >"$root.debootstrap.log" 2>&1 ||
+    { tail -n 20 "$root.debootstrap.log" >&2; exit 1; }
+  rm -f "$root.debootstrap.log"
   rm -f "$root/etc/apt/sources.list"
   cp -r /etc/apt/sources.list.d/debian.sources "$root/etc/apt/sources.list.d/" 2>/dev/null ||
     cp /etc/apt/sources.list "$root/etc/apt/sources.list"

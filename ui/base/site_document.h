@@ -34,8 +34,7 @@ public:
   /// What stands now is in no file, though nothing was edited since replace().
   void markUnsaved() { undo_.resetClean(); }
 
-  /// One step, e.g. edit(tr("Move vertex"), [](Site& s) {...}). The change may touch all but tile types, tiles,
-  /// placements and loose tags. Steps in a row with the same mergeKey (0: never) become one, as in a drag.
+  /// One step, e.g. edit(tr("Move vertex"), [](Site& s) {...}). Steps in a row with the same mergeKey (0: never) become one, as in a drag.
   /// Error: the site would contradict itself (two routes of one name, ...); nothing has changed then.
   Result<void> edit(const QString& step, const std::function<void(floor::Site&)>& change, int mergeKey = 0);
 

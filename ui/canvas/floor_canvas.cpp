@@ -59,22 +59,26 @@ void FloorCanvas::retranslate() {
   setAccessibleDescription(tr("Tiles, tags, zones, routes and vehicles of the site."));
 }
 
+void FloorCanvas::openMap(std::shared_ptr<const floor::SiteMap> map) {
+  if (!map) return;
+  setMap(std::move(map));
+  fleet_.clear();
+  follow(std::nullopt);
+  ground_.clear();
+  fit();
+  redrawFloor();
+}
+
 void FloorCanvas::setMap(std::shared_ptr<const floor::SiteMap> map) {
   if (!map || map == map_) return;
-  const bool same = sameFloor(map->site(), map_->site());
+  const bool sameTiles = sameFloor(map->site(), map_->site());
   map_ = std::move(map);
-  if (!same) {
+  if (!sameTiles) {
     index_ = std::make_shared<FloorIndex>(map_->site());
     mip_ = std::make_shared<FloorMip>(*index_);
-    fleet_.clear();
-    follow(std::nullopt);
   }
   refreshContent();
   sprites_.clear();  // footprints may be others
-  if (!same) {
-    ground_.clear();
-    fit();
-  }
   redrawFloor();
 }
 

@@ -23,7 +23,9 @@ class FloorCanvas : public QWidget {
 public:
   explicit FloorCanvas(QWidget* parent = nullptr);
 
-  /// Keeps the view when the floor is the same with other routes, zones or vehicles; otherwise shows the whole of it.
+  /// Another site: shows the whole of it, and nothing of the vehicles of the one before.
+  void openMap(std::shared_ptr<const floor::SiteMap> map);
+  /// The same site after an edit: the view stays, whatever was edited.
   void setMap(std::shared_ptr<const floor::SiteMap> map);
   /// Null: no supervision; vehicles are not drawn.
   void setSnapshot(std::shared_ptr<const supervisor::Snapshot> snapshot);

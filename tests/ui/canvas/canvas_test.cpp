@@ -18,7 +18,7 @@ protected:
     canvas.resize(900, 600);
     canvas.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&canvas));
-    canvas.setMap(tiledMap(5, 4));
+    canvas.openMap(tiledMap(5, 4));
   }
   [[nodiscard]] QPoint pixel(double x, double y) const {
     return canvas.view().toPixel({Metres{x}, Metres{y}}).toPoint();
@@ -135,17 +135,37 @@ TEST_F(CanvasUnderTest, FollowsAVehicleByDoubleClickUntilSomebodyPans) {
   EXPECT_FALSE(canvas.followed());
 }
 
-TEST_F(CanvasUnderTest, KeepsTheViewWhenOnlyRoutesChangeAndFitsAnotherFloor) {
-  canvas.zoomIn();
-  canvas.centreOn({Metres{0.7}, Metres{0.8}});
-  const View before = canvas.view();
-  floor::Site site = tiledSite(5, 4);
-  site.routes.pop_back();
-  canvas.setMap(floor::SiteMap::build(site).value());
-  EXPECT_TRUE(canvas.view() == before);
-  canvas.setMap(tiledMap(40, 40));
-  EXPECT_LT(canvas.view().scale(), before.scale());
+TEST_F(CanvasUnderTest, KeepsTheViewWhateverIsEditedAndFitsAnotherSite) {
+  for (const bool moved : {false, true}) {
+    if (moved) {
+      canvas.zoomIn();
+      canvas.centreOn({Metres{0.7}, Metres{0.8}});
+    }
+    const View before = canvas.view();
+    floor::Site site = tiledSite(5, 4);
+    site.routes.pop_back();
+    canvas.setMap(floor::SiteMap::build(site).value());
+    EXPECT_TRUE(canvas.view() == before);
+    canvas.setMap(tiledMap(40, 40));
+    EXPECT_TRUE(canvas.view() == before);
+  }
+  const double near = canvas.view().scale();
+  canvas.openMap(tiledMap(40, 40));
+  EXPECT_LT(canvas.view().scale(), near);
   EXPECT_TRUE(QRectF(canvas.rect()).contains(canvas.view().toPixel({Metres{24}, Metres{24}})));
+}
+
+TEST_F(CanvasUnderTest, ShowsTilesThatAreLaidAndNoLongerThoseThatWereTakenUp) {
+  floor::Site site = tiledSite(5, 4);
+  const QPoint last = pixel(2.97, 2.37);  // between tags of the last tile
+  const QColor tile = picture().pixelColor(last);
+  const floor::Placement placement = site.placements.back();
+  site.placements.pop_back();
+  canvas.setMap(floor::SiteMap::build(site).value());
+  EXPECT_NE(picture().pixelColor(last), tile);
+  site.placements.push_back(placement);
+  canvas.setMap(floor::SiteMap::build(site).value());
+  EXPECT_EQ(picture().pixelColor(last), tile);
 }
 
 TEST_F(CanvasUnderTest, DrawsFramesOnlyWhileSomethingMoves) {
@@ -185,7 +205,7 @@ TEST_F(CanvasUnderTest, LeavesOutWhatIsSwitchedOff) {
 }
 
 TEST_F(CanvasUnderTest, ShowsTheOldPictureScaledUntilTheNewOneIsComplete) {
-  canvas.setMap(tiledMap(60, 40));
+  canvas.openMap(tiledMap(60, 40));
   canvas.finishDrawing();
   canvas.zoomIn();
   const QImage atOnce = canvas.grab().toImage();  // however little of the new one is ready
@@ -235,7 +255,7 @@ TEST_F(CanvasUnderTest, BearsStrangeSitesAndSnapshots) {
   site.routes.push_back({"point", {{}, {}}, Metres{0.2}});
   site.zones.push_back(
       {"huge", floor::ZoneKind::NoGo, {{Metres{-1e5}, {}}, {Metres{1e5}, {}}, {{}, Metres{1e5}}}, {}, {}});
-  canvas.setMap(floor::SiteMap::build(site).value());
+  canvas.openMap(floor::SiteMap::build(site).value());
   canvas.setSelectedRoute("far");
   auto v = vehicleAt(9, 1e5, -1e5);  // not in the site
   const double nan = std::nan("");
@@ -250,7 +270,7 @@ TEST_F(CanvasUnderTest, BearsStrangeSitesAndSnapshots) {
   for (int n = 0; n < 80; ++n) canvas.zoomOut();
   EXPECT_FALSE(picture().isNull());
   canvas.setSnapshot(nullptr);
-  canvas.setMap(nullptr);
+  canvas.openMap(nullptr);
   EXPECT_FALSE(picture().isNull());
 }
 
