@@ -65,6 +65,8 @@ function(tessera_test NAME)
     set(ARG_LABELS unit)
   endif()
   target_link_libraries(${NAME} PRIVATE tessera_options GTest::gtest GTest::gmock GTest::gtest_main ${ARG_LIBS})
+  # What is tested is optimised; optimising the tests as well takes half as long again to compile.
+  target_compile_options(${NAME} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O0>)
   # What runs in real time needs the machine for itself: an emulator that is kept waiting sees wheels that do not turn.
   set(serial OFF)
   if("qemu" IN_LIST ARG_LABELS OR "system" IN_LIST ARG_LABELS)
