@@ -50,7 +50,13 @@ bool FleetSession::post(supervisor::Order order) {
   const bool stops =
       std::holds_alternative<supervisor::Stop>(order) || std::holds_alternative<supervisor::StopAll>(order);
   if (outdated_ && !stops) return false;
-  if (const auto* pair = std::get_if<supervisor::Pair>(&order)) offered_[pair->vehicle] = pair->newKey;
+  if (const auto* pair = std::get_if<supervisor::Pair>(&order)) {
+    if (const auto kept = keys_.add(pair->vehicle, pair->newKey); !kept) {
+      Q_EMIT failed(ui::text(kept.error().sentence));
+      return false;
+    }
+    offered_[pair->vehicle] = pair->newKey;
+  }
   // An order may name a route that was drawn just now.
   if (editing_.isActive()) passSiteOn();
   return thread_ && thread_->post(std::move(order));
@@ -87,12 +93,27 @@ void FleetSession::beginEnd() {
   stopping_.start();
 }
 
-bool FleetSession::close() {
+QStringList FleetSession::close() {
   stopping_.stop();
   next_.reset();
-  const bool stood = !thread_ || thread_->close();
+  QStringList moving;
+  if (thread_) moving = unconfirmed(thread_->close());
   finish();
-  return stood;
+  return moving;
+}
+
+// The supervision waits for none that is out of reach; yet the last that was heard of it may be that it drove.
+QStringList FleetSession::unconfirmed(bool stood) const {
+  QStringList names;
+  const auto picture = thread_->latest();
+  if (!picture) return names;
+  const bool open = picture->port.state == supervisor::PortState::Open;
+  for (const supervisor::VehicleView& v : picture->vehicles) {
+    const bool confirmed = stood && open && v.contact == supervisor::Contact::Connected;
+    if (v.command && v.command->status != supervisor::CommandStatus::Done && !confirmed)
+      names.push_back(QString::fromStdString(v.name));
+  }
+  return names;
 }
 
 void FleetSession::useSite(std::shared_ptr<const floor::SiteMap> map) {
@@ -118,6 +139,11 @@ bool FleetSession::goesOnWith(const floor::Site& site) const {
     if (is != site.vehicles.end() && key != offered_.end() && is->key == key->second) was.key = is->key;
   }
   return supervisor::sameFleet(map_->site().radio, vehicles, site);
+}
+
+std::optional<wire::Key> FleetSession::offeredKey(VehicleId vehicle) const {
+  const auto found = offered_.find(vehicle);
+  return found == offered_.end() ? std::nullopt : std::optional{found->second};
 }
 
 void FleetSession::passSiteOn() {
@@ -182,6 +208,7 @@ void FleetSession::supervise(const host::PortChoice& port) {
   supervisor::Config config;
   // Nonces must never come twice; a seeded run would repeat the last one's.
   config.seed = QRandomGenerator::system()->generate64();
+  config.offeredKeys = offered_ = keys_.unknownTo(map_->site());
   auto supervisor = supervisor::Supervisor::create(map_, config);
   if (!supervisor) {
     Q_EMIT failed(ui::text(supervisor.error().sentence));

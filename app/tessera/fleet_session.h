@@ -2,12 +2,14 @@
 // thread, and an orderly end in which the vehicles stop first.
 #pragma once
 
+#include <QStringList>
 #include <QTimer>
 #include <map>
 #include <memory>
 #include <optional>
 
 #include "app/process/world_process.h"
+#include "app/tessera/offered_keys.h"
 #include "host/port_choice.h"
 #include "host/supervisor_thread.h"
 #include "ui/base/connection_choice.h"
@@ -45,8 +47,8 @@ public:
   void connectTo(const ui::ConnectionChoice& choice, std::shared_ptr<const floor::SiteMap> map);
   /// The vehicles stop, then the port closes and the state is Off.
   void disconnectGently();
-  /// The same at once, in some seconds at most. True: every vehicle stood.
-  bool close();
+  /// The same at once, in some seconds at most. Names of the vehicles that have not confirmed that they stand.
+  QStringList close();
   /// The site was edited: a running supervision goes on with it, or begins anew where vehicles or radio differ.
   void useSite(std::shared_ptr<const floor::SiteMap> map);
 
@@ -54,6 +56,10 @@ public:
   std::optional<host::PortChoice> rest();
   /// Goes on after rest().
   void resume();
+  /// The key that a vehicle was offered and that its site does not have yet.
+  [[nodiscard]] std::optional<wire::Key> offeredKey(VehicleId vehicle) const;
+  /// A file has this site, and the keys of its vehicles with it.
+  void keysAreFiled(const floor::Site& site) { keys_.forget(site); }
   /// How long the present supervision works.
   [[nodiscard]] Seconds liveFor() const;
 
@@ -80,14 +86,16 @@ private:
   void onWorldDied(const QString& sentence);
   void lookWhetherStopped();
   [[nodiscard]] bool allStand() const;
+  [[nodiscard]] QStringList unconfirmed(bool stood) const;
   [[nodiscard]] bool goesOnWith(const floor::Site& site) const;
 
   State state_ = State::Off;
   std::optional<ui::ConnectionChoice> choice_;
   std::optional<ui::ConnectionChoice> next_;  // connects when the present one has ended
   std::shared_ptr<const floor::SiteMap> map_;
-  bool outdated_ = false;                   // what runs is of vehicles that the site no longer has
-  std::map<VehicleId, wire::Key> offered_;  // keys that vehicles were given during this supervision
+  bool outdated_ = false;  // what runs is of vehicles that the site no longer has
+  OfferedKeys keys_;
+  std::map<VehicleId, wire::Key> offered_;  // keys that vehicles were offered until and during this supervision
   bool emulated_ = false;
   std::unique_ptr<QTemporaryDir> folder_;  // the site's file for the simulated world
   std::unique_ptr<process::WorldProcess> world_;

@@ -68,7 +68,7 @@ Keeper::Keeper(ui::SiteDocument& document, ui::FleetLink& fleet, QObject* parent
   connect(&edits_, &QTimer::timeout, this, [this] { keepSite(document_.isModified()); });
   connect(&document_, &ui::SiteDocument::replaced, this, [this] {
     edits_.stop();
-    key_ = document_.path().isEmpty() ? store::freshKey() : store::keyOfFile(document_.path().toStdString());
+    use(document_.path().isEmpty() ? store::freshKey() : store::keyOfFile(document_.path().toStdString()));
   });
   connect(&document_, &ui::SiteDocument::changed, this, [this] { edits_.start(); });
   connect(&fleet, &ui::FleetLink::eventsArrived, this, &Keeper::note);
@@ -90,6 +90,15 @@ std::shared_ptr<const floor::SiteMap> Keeper::unsaved(const QString& path) {
   return map ? *map : nullptr;
 }
 
+std::optional<qint64> Keeper::holderOf(const QString& path) const {
+  return lock_.holderOf(store::keyOfFile(path.toStdString()));
+}
+
+void Keeper::use(const std::string& key) {
+  key_ = key;
+  lock_.take(key);
+}
+
 std::vector<Keeper::Homeless> Keeper::homeless() {
   std::vector<Homeless> found;
   auto database = store::Database::open(databasePath().toStdString());
@@ -98,7 +107,7 @@ std::vector<Keeper::Homeless> Keeper::homeless() {
   const auto kept = sites.list();
   if (!kept) return found;
   for (const store::KeptSite& site : *kept) {
-    if (!site.differsFromFile || !site.file().empty() || site.key == key_) continue;
+    if (!site.differsFromFile || !site.file().empty() || site.key == key_ || lock_.holderOf(site.key)) continue;
     auto loaded = sites.load(site.key);
     if (!loaded || !*loaded) continue;
     if (const auto map = floor::SiteMap::build(std::move(**loaded)))
@@ -108,7 +117,8 @@ std::vector<Keeper::Homeless> Keeper::homeless() {
 }
 
 void Keeper::onSaved(const QString& path) {
-  const std::string old = std::exchange(key_, store::keyOfFile(path.toStdString()));
+  const std::string old = key_;
+  use(store::keyOfFile(path.toStdString()));
   // Under its new name it is another site; what the old file holds did not change.
   if (!old.empty() && old != key_) store_->removeSite(old);
   keepSite(false);

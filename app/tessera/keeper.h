@@ -6,9 +6,11 @@
 #include <QObject>
 #include <QTimer>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/tessera/site_lock.h"
 #include "floor/site_map.h"
 #include "store/store_thread.h"
 #include "ui/base/fleet_link.h"
@@ -26,6 +28,8 @@ public:
 
   /// What an earlier run left unsaved of the site in this file; null: nothing.
   [[nodiscard]] std::shared_ptr<const floor::SiteMap> unsaved(const QString& path);
+  /// The process of another copy of the program that has the site in this file open; nullopt: none.
+  [[nodiscard]] std::optional<qint64> holderOf(const QString& path) const;
   /// A site that an earlier run left behind unsaved and without a file.
   struct Homeless {
     std::string key;
@@ -35,7 +39,7 @@ public:
   /// The latest first.
   [[nodiscard]] std::vector<Homeless> homeless();
   /// The open site is the one that was kept under this key.
-  void goOnAs(const std::string& key) { key_ = key; }
+  void goOnAs(const std::string& key) { use(key); }
   void forget(const std::string& key) { store_->removeSite(key); }
   /// The open site was saved to this file.
   void onSaved(const QString& path);
@@ -63,12 +67,14 @@ Q_SIGNALS:
 
 private:
   void keepSite(bool differsFromFile);
+  void use(const std::string& key);
   void note(const std::vector<supervisor::Event>& events);
 
   ui::SiteDocument& document_;
   std::unique_ptr<store::StoreThread> store_;
   QTimer edits_;
   std::string key_;  // of the open site
+  SiteLock lock_;
   void askForPage();
   void takePage(const store::JournalPage& page);
 

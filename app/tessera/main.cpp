@@ -80,6 +80,7 @@ int runWindow(const Words& words, bool driving) {
   }};
   window.show();
   QString failure;
+  if (words.untilFinished) window.files().setUnattended();
   if (driving) {
     auto* drive = new DemoDrive{window,
                                 {QString::fromStdString(words.route), tessera::MetresPerSecond{words.speed},

@@ -12,6 +12,7 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
+#include <iostream>
 
 #include "app/tessera/fleet_session.h"
 #include "app/tessera/keeper.h"
@@ -137,9 +138,25 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   settings_.setWindow(saveGeometry(), saveState());
   if (open_) settings_.setSite(document_.path());  // else the question about the last one may be open still
   hide();
-  session_->close();
+  const QStringList moving = session_->close();
   keeper_->close();
   event->accept();
+  if (!moving.isEmpty()) tellUnconfirmed(moving);
+}
+
+// An end that does not ask waits for nobody's click either.
+void MainWindow::tellUnconfirmed(const QStringList& vehicles) {
+  const QString sentence =
+      tr("Not confirmed that it stands: %1. A vehicle stops by itself when its last command has run out, a few "
+         "seconds later at most. Go and look.")
+          .arg(vehicles.join(QStringLiteral(", ")));
+  if (unasked_) {
+    std::cerr << "tessera: " << sentence.toStdString() << std::endl;
+    return;
+  }
+  QMessageBox box{QMessageBox::Warning, tr("Do all vehicles stand?"), sentence, QMessageBox::Ok};
+  box.setObjectName(QStringLiteral("unconfirmedNotice"));
+  box.exec();
 }
 
 void MainWindow::endUnasked() {

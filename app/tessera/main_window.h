@@ -9,6 +9,7 @@
 
 #include "app/tessera/languages.h"
 #include "app/tessera/settings.h"
+#include "supervisor/event.h"
 #include "ui/base/connection_choice.h"
 #include "ui/base/selection.h"
 #include "ui/base/site_document.h"
@@ -82,6 +83,8 @@ private:
   void askConnection();
   void openRadio();
   void commission(std::optional<VehicleId> vehicle);
+  void takeUpKeys(const std::vector<supervisor::Event>& events);
+  void tellUnconfirmed(const QStringList& vehicles);
   void tell(const QString& sentence);
   void showHelp();
   void retranslate();
@@ -102,6 +105,7 @@ private:
   ui::StopAllButton* stopAll_;
   ui::StopAllKey* stopAllKey_;
   QPointer<ui::HelpWindow> help_;
+  bool commissioning_ = false;  ///< the wizard takes the keys up itself
   bool unasked_ = false;
   bool open_ = false;  // a site stands in the document
   QLabel* place_;

@@ -97,7 +97,10 @@ bool SiteFiles::read(const QString& path) {
     tell(tr("The site could not be opened"), ui::text(map.error().sentence));
     return false;
   }
-  auto unsaved = recovery_ ? recovery_(path) : nullptr;
+  const auto other = sharing_ ? sharing_(path) : std::nullopt;
+  if (other && !mayShare(path, *other)) return false;
+  // What another copy has not saved is in its hands.
+  auto unsaved = recovery_ && !other ? recovery_(path) : nullptr;
   if (unsaved && unsaved->site() == (*map)->site()) unsaved = nullptr;
   // Asked before anything is touched: until there is an answer, both stay as they are.
   const auto answer = unsaved ? askRecovery(path) : Recovery::Forget;
@@ -114,7 +117,17 @@ bool SiteFiles::read(const QString& path) {
   return true;
 }
 
+bool SiteFiles::mayShare(const QString& path, qint64 process) {
+  return unattended_ ||
+         ask("sharedQuestion", tr("This site is open already"),
+             tr("Another window of Tessera (process %1) has %2 open. Changes made in both overwrite one another.")
+                 .arg(process)
+                 .arg(QFileInfo{path}.fileName()),
+             tr("&Do not open it"), tr("&Open it here as well")) == Recovery::Forget;
+}
+
 SiteFiles::Recovery SiteFiles::askRecovery(const QString& path) {
+  if (unattended_) return Recovery::TakeUp;
   return ask("recoverQuestion", tr("Unsaved changes were kept"),
              tr("When %1 was open last, the program ended before its changes were saved. Take them up again?")
                  .arg(QFileInfo{path}.fileName()),

@@ -5,6 +5,7 @@
 #include <QString>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/tessera/settings.h"
@@ -48,6 +49,10 @@ public:
     QString when;
     std::shared_ptr<const floor::SiteMap> map;
   };
+  /// Given a path, the process of another copy of the program that has this site open; asked at each opening.
+  void setSharing(std::function<std::optional<qint64>(const QString&)> sharing) { sharing_ = std::move(sharing); }
+  /// Nobody is there to answer: what an earlier run left unsaved is taken up, another copy's site is opened as well.
+  void setUnattended() { unattended_ = true; }
   void setHomeless(std::function<std::vector<Homeless>()> homeless) { homeless_ = std::move(homeless); }
 
 Q_SIGNALS:
@@ -68,6 +73,7 @@ private:
   /// Undecided: the question was closed without an answer, as when the program has to end.
   enum class Recovery { TakeUp, Forget, Undecided };
   [[nodiscard]] Recovery askRecovery(const QString& path);
+  [[nodiscard]] bool mayShare(const QString& path, qint64 process);
   [[nodiscard]] Recovery ask(const char* name, const QString& title, const QString& question, const QString& takeUp,
                              const QString& forget);
   [[nodiscard]] QWidget* above() const;
@@ -76,7 +82,9 @@ private:
   ui::SiteDocument& document_;
   Settings& settings_;
   QWidget& window_;
+  bool unattended_ = false;
   std::function<std::shared_ptr<const floor::SiteMap>(const QString&)> recovery_;
+  std::function<std::optional<qint64>(const QString&)> sharing_;
   std::function<std::vector<Homeless>()> homeless_;
 };
 

@@ -48,6 +48,7 @@ void MainWindow::connectTo(const ui::ConnectionChoice& choice) { session_->conne
 
 void MainWindow::commission(std::optional<VehicleId> vehicle) {
   ui::CommissionWizard wizard{*session_, document_, vehicle, this};
+  commissioning_ = true;
   connect(&wizard, &ui::CommissionWizard::connectRequested, this, &MainWindow::askConnection);
   wizard.setProperty("helpTopic", QStringLiteral("commissioning"));
   connect(&wizard, &QWizard::helpRequested, this, &MainWindow::showHelp);
@@ -67,10 +68,31 @@ void MainWindow::commission(std::optional<VehicleId> vehicle) {
   connect(&wizard, &ui::CommissionWizard::paired, this, keepKey);
   connect(&wizard, &ui::CommissionWizard::siteChanged, this, keepKey);
   wizard.exec();
+  commissioning_ = false;
   if (!wizard.vehicle()) return;
   selection_.setVehicle(wizard.vehicle());
   if (wizard.hasPaired() && document_.isModified() && !unasked_)
     files_->offerToSaveKey(QString::fromStdString(wizard.draft().name));
+}
+
+// A vehicle has taken a key of which an earlier run never heard the end.
+void MainWindow::takeUpKeys(const std::vector<supervisor::Event>& events) {
+  for (const supervisor::Event& event : events) {
+    if (commissioning_ || !event.vehicle || event.kind != supervisor::EventKind::Paired ||
+        event.pairing != link::PairingEnd::NewKey)
+      continue;
+    const auto key = session_->offeredKey(*event.vehicle);
+    const bool nothingElse = !document_.path().isEmpty() && !document_.isModified();
+    const auto edited = document_.edit(tr("Take up a vehicle's key"), [&](floor::Site& site) {
+      for (floor::VehicleSetup& v : site.vehicles)
+        if (key && v.id == *event.vehicle) v.key = *key;
+    });
+    if (!edited || !document_.isModified()) continue;
+    if (nothingElse)
+      files_->save();
+    else
+      keeper_->keepNow();
+  }
 }
 
 void MainWindow::openRadio() {

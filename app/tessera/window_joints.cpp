@@ -59,6 +59,7 @@ void MainWindow::joinSite() {
   connect(files_, &SiteFiles::saved, keeper_, &Keeper::onSaved);
   connect(files_, &SiteFiles::givenUp, keeper_, &Keeper::onGivenUp);
   files_->setRecovery([this](const QString& path) { return keeper_->unsaved(path); });
+  files_->setSharing([this](const QString& path) { return keeper_->holderOf(path); });
   files_->setHomeless([this] {
     std::vector<SiteFiles::Homeless> sites;
     for (const auto& kept : keeper_->homeless())
@@ -87,6 +88,8 @@ void MainWindow::joinFleet() {
     if (port != port_->text()) port_->setText(port);
   });
   connect(session_, &FleetSession::stateChanged, this, &MainWindow::showFleetState);
+  connect(session_, &ui::FleetLink::eventsArrived, this, &MainWindow::takeUpKeys);
+  connect(files_, &SiteFiles::saved, this, [this] { session_->keysAreFiled(document_.site()); });
   connect(session_, &FleetSession::failed, this, &MainWindow::tell);
   connect(session_, &FleetSession::worldComplained, this,
           [this](const QString& line) { statusBar()->showMessage(tr("Simulated world: %1").arg(line), 15'000); });

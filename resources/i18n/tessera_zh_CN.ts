@@ -1595,6 +1595,10 @@
         <source>expected the header %1 or %2.</source>
         <translation>首行应为 %1 或 %2。</translation>
     </message>
+    <message>
+        <source>The vehicle&apos;s new key could not be kept in %1, so it was not sent: %2.</source>
+        <translation>车辆的新密钥无法保存到 %1，因此没有发送：%2。</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>
@@ -1927,6 +1931,18 @@
         <source>Simulated world: %1</source>
         <translation>仿真环境：%1</translation>
     </message>
+    <message>
+        <source>Not confirmed that it stands: %1. A vehicle stops by itself when its last command has run out, a few seconds later at most. Go and look.</source>
+        <translation>未确认已停下：%1。车辆在最后一条指令过期后会自行停止，最多几秒钟。请到现场查看。</translation>
+    </message>
+    <message>
+        <source>Do all vehicles stand?</source>
+        <translation>所有车辆都停下了吗？</translation>
+    </message>
+    <message>
+        <source>Take up a vehicle&apos;s key</source>
+        <translation>采用车辆的密钥</translation>
+    </message>
 </context>
 <context>
     <name>tessera::desktop::SiteFiles</name>
@@ -2037,6 +2053,22 @@
     <message>
         <source>%1 exists already. Replace it?</source>
         <translation>%1 已存在。要替换它吗？</translation>
+    </message>
+    <message>
+        <source>This site is open already</source>
+        <translation>此场地已经打开</translation>
+    </message>
+    <message>
+        <source>Another window of Tessera (process %1) has %2 open. Changes made in both overwrite one another.</source>
+        <translation>另一个 Tessera 窗口（进程 %1）已经打开了 %2。两边的修改会互相覆盖。</translation>
+    </message>
+    <message>
+        <source>&amp;Do not open it</source>
+        <translation>不打开(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Open it here as well</source>
+        <translation>在这里也打开(&amp;O)</translation>
     </message>
 </context>
 <context>

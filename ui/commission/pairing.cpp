@@ -67,13 +67,15 @@ void Pairing::askForKey() {
   await(Phase::Keying, tr("Giving the vehicle its new key…"));
   patience_.stop();  // the supervision tells how it ends, and whether it is in doubt
   unsure_ = false;
+  const auto picture = work_.link().latest();
+  asked_ = picture ? picture->time : Seconds{};
   if (!work_.link().post(supervisor::Pair{work_.address(), fresh_}))
     fail(tr("Not connected. Connect to the vehicles and try again."));
 }
 
 void Pairing::hear(const std::vector<supervisor::Event>& events) {
   for (const supervisor::Event& event : events) {
-    if (phase_ != Phase::Keying || event.vehicle != work_.address()) continue;
+    if (phase_ != Phase::Keying || event.vehicle != work_.address() || event.time <= asked_) continue;
     if (event.kind == supervisor::EventKind::OrderRefused) {
       fail(text(event.sentence));
     } else if (event.kind == supervisor::EventKind::Paired && event.pairing == link::PairingEnd::NewKey) {

@@ -48,6 +48,7 @@ private:
   AskSeries series_;
   Phase phase_ = Phase::Idle;
   wire::Key fresh_{};
+  Seconds asked_;        ///< what happened until then belongs to an earlier pairing
   bool unsure_ = false;  ///< it was offered and neither taken nor refused for certain
   QTimer patience_;
 };

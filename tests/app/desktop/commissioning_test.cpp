@@ -182,6 +182,40 @@ TEST_F(NewVehicle, hasAKeyThatIsOfferedToBeSavedWhereOtherChangesAreNot) {
   EXPECT_FALSE(window->isWindowModified());
 }
 
+// The first supervision stands for a program that died before any site had the key.
+TEST_F(NewVehicle, isNotLostWithAKeyThatNoSiteHadWhenTheProgramDied) {
+  constexpr VehicleId kFresh{254};
+  const wire::Key key{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
+  hall.vehicles = {type};
+  hall.vehicles.front().id = kFresh;
+  hall.vehicles.front().key = wire::kFactoryKey;
+  ASSERT_TRUE(floor::saveSite(hall, path().toStdString()));
+  ui::ConnectionChoice choice;
+  choice.kind = ui::ConnectionChoice::Kind::Serial;
+  choice.port = QString::fromStdString(world.port());
+  {
+    FleetSession died;
+    bool taken = false;
+    QObject::connect(&died, &ui::FleetLink::eventsArrived, [&](const std::vector<supervisor::Event>& events) {
+      for (const auto& event : events) taken = taken || event.pairing == link::PairingEnd::NewKey;
+    });
+    died.connectTo(choice, floor::SiteMap::build(hall).value());
+    ASSERT_TRUE(until([&] {
+      const auto picture = died.latest();
+      return picture && picture->vehicles.front().contact == supervisor::Contact::Connected;
+    }));
+    ASSERT_TRUE(died.post(supervisor::Pair{kFresh, key}));
+    ASSERT_TRUE(until([&] { return taken; }));
+  }
+  killWindow();
+  ASSERT_NO_FATAL_FAILURE(openWindow(false));
+  ASSERT_TRUE(window->files().open(path()));
+  window->connectTo(choice);
+  EXPECT_TRUE(until([&] { return filed().key == key; })) << "saved at once";
+  EXPECT_FALSE(window->isWindowModified());
+  EXPECT_TRUE(until([&] { return vehicle().contact == supervisor::Contact::Connected; }));
+}
+
 TEST_F(NewVehicle, isNotGivenUpByAnEndThatDoesNotAsk) {
   ASSERT_TRUE(window->files().open(path()));
   ASSERT_NO_FATAL_FAILURE(connectToWorld());

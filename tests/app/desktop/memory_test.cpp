@@ -5,6 +5,7 @@
 #include "app/desktop/desktop_fixture.h"
 #include "app/tessera/keeper.h"
 #include "app/tessera/site_files.h"
+#include "app/tessera/site_lock.h"
 #include "store/site_store.h"
 
 namespace tessera::desktop {
@@ -58,6 +59,22 @@ TEST_F(Memory, takesUpWhatWasNotSavedWhenTheProgramDied) {
   EXPECT_NE(window->document().site(), drawn) << "the file's own contents are one step back";
 }
 
+TEST_F(Memory, tellsThatAnotherCopyOfTheProgramHasTheSiteOpen) {
+  ASSERT_NO_FATAL_FAILURE(openWindow());
+  const auto demo = SiteFiles::demoPath();
+  ASSERT_TRUE(demo);
+  SiteLock other;
+  other.take(store::keyOfFile(demo->toStdString()));
+  answerQuestion("sharedQuestion", "Do not open it");
+  EXPECT_FALSE(window->files().open(*demo));
+  answerQuestion("sharedQuestion", "Open it here as well");
+  EXPECT_TRUE(window->files().open(*demo));
+  other.take("another site");
+  killWindow();
+  ASSERT_NO_FATAL_FAILURE(openWindow());
+  EXPECT_TRUE(window->files().open(*demo)) << "nobody has it any more";
+}
+
 class NewSite : public Memory {
 protected:
   /// Made and given a route, then the program dies.
@@ -93,6 +110,20 @@ TEST_F(NewSite, isOfferedAgainThoughItWasInNoFileWhenTheProgramDied) {
   ASSERT_TRUE(closeWindow());
   ASSERT_NO_FATAL_FAILURE(openWindow());
   EXPECT_TRUE(find("demoButton")->isVisible()) << "nobody is asked again about what was given up";
+}
+
+TEST_F(NewSite, isNotOfferedWhileAnotherCopyOfTheProgramHasItOpen) {
+  ASSERT_NO_FATAL_FAILURE(makeAndDie());
+  SiteLock other;
+  {
+    const auto database = store::Database::open(Keeper::databasePath().toStdString());
+    ASSERT_TRUE(database);
+    other.take(store::SiteStore{**database}.list().value().front().key);
+  }
+  ASSERT_NO_FATAL_FAILURE(openWindow());
+  EXPECT_TRUE(find("demoButton")->isVisible()) << "nobody was asked";
+  other.take("another site");
+  EXPECT_EQ(window->keeper().homeless().size(), 1U);
 }
 
 TEST_F(NewSite, isForgottenWhenThatIsChosen) {

@@ -3,6 +3,7 @@
 
 #include <QDialog>
 #include <QLabel>
+#include <QMessageBox>
 #include <algorithm>
 
 #include "app/desktop/desktop_fixture.h"
@@ -34,6 +35,11 @@ protected:
     pressWhenOffered("runAction", Qt::Key_F5);
     ASSERT_TRUE(until([&] { return vehicle().task == Task::Running && vehicle().speed > MetresPerSecond{0.02}; }))
         << vehicle().waits.english() << vehicle().doing.english();
+  }
+  /// The vehicle's battery is pulled; the last that is heard of it is that it drove.
+  void dieOnTheWay() {
+    window->session().tellWorld("kill 1");
+    ASSERT_TRUE(until([&] { return vehicle().contact == supervisor::Contact::Silent; }));
   }
 };
 
@@ -126,6 +132,25 @@ TEST_F(Operator, readsEverythingInChineseWhileTheVehicleDrives) {
   EXPECT_EQ(vehicle().task, Task::Running);
   trigger("language_en");
   EXPECT_TRUE(until([&] { return find<QAction>("drawRoute")->text() == QStringLiteral("&Draw a route"); }));
+}
+
+TEST_F(Operator, isToldOfAVehicleThatDidNotConfirmThatItStands) {
+  ASSERT_NO_FATAL_FAILURE(runAndMove());
+  ASSERT_NO_FATAL_FAILURE(dieOnTheWay());
+  QString told;
+  inDialogue(QStringLiteral("unconfirmedNotice"),
+             [&](QDialog& dialog) { told = dynamic_cast<QMessageBox&>(dialog).text(); });
+  EXPECT_TRUE(closeWindow());
+  EXPECT_TRUE(told.contains(QStringLiteral("AGV 1"))) << told.toStdString();
+}
+
+TEST_F(Operator, whoDoesNotAskIsNotKeptByAVehicleThatDoesNotConfirm) {
+  ASSERT_NO_FATAL_FAILURE(runAndMove());
+  ASSERT_NO_FATAL_FAILURE(dieOnTheWay());
+  testing::internal::CaptureStderr();
+  window->endUnasked();
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), testing::HasSubstr("AGV 1"));
+  EXPECT_FALSE(window->isVisible());
 }
 
 // The world is one that the window knows nothing of, so that its record tells what the vehicle did after the window

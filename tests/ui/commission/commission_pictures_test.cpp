@@ -53,6 +53,7 @@ TEST_P(CommissionPictures, OfAKeyThatNoFileHasYet) {
   hands.skip();
   hands.click("pairVehicle");
   supervisor::Event event;
+  event.time = Seconds{11.0};  // after what the picture shows
   event.kind = supervisor::EventKind::Paired;
   event.vehicle = VehicleId{1};
   event.pairing = link::PairingEnd::NewKey;

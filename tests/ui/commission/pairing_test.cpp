@@ -33,8 +33,9 @@ protected:
     first = entry();
   }
   [[nodiscard]] const floor::VehicleSetup& entry() const { return document.site().vehicles.back(); }
-  void pairingEnds(std::uint8_t vehicle, link::PairingEnd how) {
+  void pairingEnds(std::uint8_t vehicle, link::PairingEnd how, Seconds time = Seconds{11.0}) {
     supervisor::Event event;
+    event.time = time;
     event.kind = supervisor::EventKind::Paired;
     event.vehicle = VehicleId{vehicle};
     event.sentence = "so it ended";
@@ -63,6 +64,15 @@ TEST_F(PairingTest, AVehicleInContactGetsANewKeyAndTheSiteHasIt) {
   EXPECT_EQ(entry().id, VehicleId{1});
   EXPECT_EQ(tone(), Notice::Tone::Good);
   EXPECT_EQ(document.undoStack().count(), 1);
+}
+
+TEST_F(PairingTest, AnEarlierPairingThatEndsLateIsNotTakenForThisOne) {
+  fleet.show(seenVehicles({1}));
+  pressPair();
+  pairingEnds(1, link::PairingEnd::NewKey, fleet.picture->time);
+  EXPECT_EQ(entry().key, first.key);
+  pairingEnds(1, link::PairingEnd::NewKey);
+  EXPECT_EQ(entry().key, fleet.last<Pair>().newKey);
 }
 
 TEST_F(PairingTest, AFreshVehicleGetsItsKeyAndThenItsAddress) {
