@@ -1599,6 +1599,46 @@
         <source>The vehicle&apos;s new key could not be kept in %1, so it was not sent: %2.</source>
         <translation>车辆的新密钥无法保存到 %1，因此没有发送：%2。</translation>
     </message>
+    <message>
+        <source>The reader sends other than lines: check its kind and baud rate.</source>
+        <translation>读卡器发来的不是文本行：请检查其类型和波特率。</translation>
+    </message>
+    <message>
+        <source>Tag %1 is registered already, as tag %2 of tile &quot;%3&quot;.</source>
+        <translation>电子标签 %1 已登记：地板砖“%3”的第 %2 个标签。</translation>
+    </message>
+    <message>
+        <source>Tag %1 is registered already, as a loose tag at (%2, %3) m.</source>
+        <translation>电子标签 %1 已登记为散置标签，位于 (%2, %3) m。</translation>
+    </message>
+    <message>
+        <source>Tag %1 says that it lies at (%2, %3) m, %4 m from here, where no tag is to be registered.</source>
+        <translation>电子标签 %1 称自己位于 (%2, %3) m，距此 %4 m，而那里没有要登记的标签。</translation>
+    </message>
+    <message>
+        <source>Tag %1 says that it lies at (%2, %3) m: that is tag %4 of tile &quot;%5&quot;.</source>
+        <translation>电子标签 %1 称自己位于 (%2, %3) m：那是地板砖“%5”的第 %4 个标签。</translation>
+    </message>
+    <message>
+        <source>All places are registered or skipped.</source>
+        <translation>所有位置都已登记或跳过。</translation>
+    </message>
+    <message>
+        <source>The reader sent %1, which is no UID as a decimal number.</source>
+        <translation>读卡器发来 %1，这不是十进制的 UID。</translation>
+    </message>
+    <message>
+        <source>The reader sent %1, which is too long for a UID.</source>
+        <translation>读卡器发来 %1，对 UID 来说太长。</translation>
+    </message>
+    <message>
+        <source>The reader sent %1, which is no UID of 4, 7 or 10 bytes.</source>
+        <translation>读卡器发来 %1，这不是 4、7 或 10 字节的 UID。</translation>
+    </message>
+    <message>
+        <source>Tag %1 holds %2, which is no place: expected @X,Y in metres.</source>
+        <translation>电子标签 %1 存有 %2，这不是位置：应为以米为单位的 @X,Y。</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>
