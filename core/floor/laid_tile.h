@@ -32,4 +32,10 @@ namespace tessera::floor {
   return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
 }
 
+/// The placement's origin with which such a tile covers the floor from that lower left corner on.
+[[nodiscard]] constexpr Point originFor(Point low, const TileType& type, int turns) {
+  const Placement atZero{{}, {}, turns};
+  return low - (boxOf(atZero, type).low - Point{});
+}
+
 }  // namespace tessera::floor

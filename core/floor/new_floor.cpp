@@ -1,8 +1,9 @@
 #include "floor/new_floor.h"
 
 #include <array>
-#include <cstdio>
 #include <vector>
+
+#include "floor/serial_rule.h"
 
 namespace tessera::floor {
 namespace {
@@ -11,12 +12,6 @@ TileType square(const char* name, double side, double pitch, Pattern pattern) {
   const int places = static_cast<int>(side / pitch + 0.5);
   const Metres half{pitch / 2};
   return {name, Metres{side}, Metres{side}, Metres{pitch}, {half, half}, places, places, pattern, false, {}};
-}
-
-std::string serialOf(int number) {
-  std::array<char, 24> text{};
-  std::snprintf(text.data(), text.size(), "T-%04d", number);
-  return text.data();
 }
 
 // Seven bytes behind a maker's code that no maker has: nobody takes them for a real tag's.
@@ -64,7 +59,7 @@ Result<Site> layNewFloor(const NewFloor& wish) {
   std::uint64_t next = 1;
   for (int row = 0; row < wish.rows; ++row) {
     for (int column = 0; column < wish.columns; ++column) {
-      Tile tile{serialOf(row * wish.columns + column + 1), wish.type.name, {}};
+      Tile tile{serialOf({}, row * wish.columns + column + 1), wish.type.name, {}};
       for (std::size_t i = 0; wish.practice && i < tags; ++i) tile.uids.push_back(practiceUid(next++));
       site.placements.push_back({tile.serial, {column * wish.type.width, row * wish.type.height}, 0});
       site.tiles.push_back(std::move(tile));

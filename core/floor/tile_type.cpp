@@ -1,8 +1,7 @@
 // Where a tile type has its tags.
-#include "floor/site.h"
+#include "floor/tile_pattern.h"
 
 namespace tessera::floor {
-namespace {
 
 bool hasTag(const TileType& type, int column, int row) {
   switch (type.pattern) {
@@ -18,8 +17,6 @@ bool hasTag(const TileType& type, int column, int row) {
   }
   return false;
 }
-
-}  // namespace
 
 std::vector<Offset> tagOffsets(const TileType& type) {
   std::vector<Offset> offsets;
