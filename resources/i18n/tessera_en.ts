@@ -2,6 +2,37 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>LayEdits</name>
+    <message numerus="yes">
+        <source>Move %n tile(s)</source>
+        <translation>
+            <numerusform>Move %n tile</numerusform>
+            <numerusform>Move %n tiles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn %n tile(s)</source>
+        <translation>
+            <numerusform>Turn %n tile</numerusform>
+            <numerusform>Turn %n tiles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Align %n tile(s)</source>
+        <translation>
+            <numerusform>Align %n tile</numerusform>
+            <numerusform>Align %n tiles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n tile(s)</source>
+        <translation>
+            <numerusform>Delete %n tile</numerusform>
+            <numerusform>Delete %n tiles</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>tessera::ui::EventPanel</name>
     <message numerus="yes">
         <source>The last %n events of this day are listed. Choose a severity or a vehicle to see the earlier ones.</source>
@@ -18,6 +49,37 @@
         <translation>
             <numerusform>A key has 32 hexadecimal digits (0–9, A–F); here is %n.</numerusform>
             <numerusform>A key has 32 hexadecimal digits (0–9, A–F); here are %n.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::LayTool</name>
+    <message numerus="yes">
+        <source>Lay %n tile(s)</source>
+        <translation>
+            <numerusform>Lay %n tile</numerusform>
+            <numerusform>Lay %n tiles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n tile(s)</source>
+        <translation>
+            <numerusform>Duplicate %n tile</numerusform>
+            <numerusform>Duplicate %n tiles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n tile(s)</source>
+        <translation>
+            <numerusform>Paste %n tile</numerusform>
+            <numerusform>Paste %n tiles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tile(s)</source>
+        <translation>
+            <numerusform>%n tile</numerusform>
+            <numerusform>%n tiles</numerusform>
         </translation>
     </message>
 </context>
@@ -65,6 +127,75 @@
         <translation>
             <numerusform>%n step was left out. Open this wizard for the vehicle again to make up for it.</numerusform>
             <numerusform>%n steps were left out. Open this wizard for the vehicle again to make up for it.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::TilePanel</name>
+    <message numerus="yes">
+        <source>%n tile(s) laid, none of them chosen.</source>
+        <translation>
+            <numerusform>%n tile laid, none of them chosen.</numerusform>
+            <numerusform>%n tiles laid, none of them chosen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tile(s) chosen.</source>
+        <translation>
+            <numerusform>%n tile chosen.</numerusform>
+            <numerusform>%n tiles chosen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n type(s).</source>
+        <translation>
+            <numerusform>%n type.</numerusform>
+            <numerusform>%n types.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tag(s) registered.</source>
+        <translation>
+            <numerusform>%n tag registered.</numerusform>
+            <numerusform>%n tags registered.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::TileTypesDialog</name>
+    <message numerus="yes">
+        <source>%n tile(s) are of this type: delete them first.</source>
+        <translation>
+            <numerusform>%n tile is of this type: delete it first.</numerusform>
+            <numerusform>%n tiles are of this type: delete them first.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n registered tag(s) lie where the changed types have none: their numbers would be dropped from the site.</source>
+        <translation>
+            <numerusform>%n registered tag lies where the changed types have none: its number would be dropped from the site.</numerusform>
+            <numerusform>%n registered tags lie where the changed types have none: their numbers would be dropped from the site.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tile(s) are of this type,</source>
+        <translation>
+            <numerusform>%n tile is of this type,</numerusform>
+            <numerusform>%n tiles are of this type,</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tag(s) on them are registered.</source>
+        <translation>
+            <numerusform>%n tag on them is registered.</numerusform>
+            <numerusform>%n tags on them are registered.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of their numbers would be dropped.</source>
+        <translation>
+            <numerusform>%n of their numbers would be dropped.</numerusform>
+            <numerusform>%n of their numbers would be dropped.</numerusform>
         </translation>
     </message>
 </context>

@@ -1639,6 +1639,34 @@
         <source>Tag %1 holds %2, which is no place: expected @X,Y in metres.</source>
         <translation>电子标签 %1 存有 %2，这不是位置：应为以米为单位的 @X,Y。</translation>
     </message>
+    <message>
+        <source>A tile type needs a name.</source>
+        <translation>地板规格需要名称。</translation>
+    </message>
+    <message>
+        <source>This name is too long for a tile type.</source>
+        <translation>这个名称对地板规格来说太长。</translation>
+    </message>
+    <message>
+        <source>A tile is 1 cm to 100 m long and wide.</source>
+        <translation>地板砖的长和宽为 1 cm 至 100 m。</translation>
+    </message>
+    <message>
+        <source>The pitch of a tile is 1 mm to 100 m.</source>
+        <translation>地板砖的间距为 1 mm 至 100 m。</translation>
+    </message>
+    <message>
+        <source>A tile has 1 to 100 columns and rows of places.</source>
+        <translation>地板砖有 1 至 100 列、1 至 100 行位置。</translation>
+    </message>
+    <message>
+        <source>The places reach beyond the edge of the tile.</source>
+        <translation>位置超出了地板砖的边缘。</translation>
+    </message>
+    <message>
+        <source>The pattern does not have as many places as the tile.</source>
+        <translation>图案的位置数与地板砖不符。</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>
@@ -1659,6 +1687,77 @@
         <source>%1, %2 ago</source>
         <comment>a vehicle&apos;s name, how long ago it was last heard</comment>
         <translation>%1，%2前</translation>
+    </message>
+</context>
+<context>
+    <name>LayEdits</name>
+    <message>
+        <source>A tile may lie no farther than 100 km from the site&apos;s origin.</source>
+        <translation>地板砖距场地原点不得超过 100 km。</translation>
+    </message>
+    <message>
+        <source>Tile “%1” would lie upon tile “%2”.</source>
+        <translation>地板砖“%1”会压在地板砖“%2”上。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n tile(s)</source>
+        <translation>
+            <numerusform>移动 %n 块地板砖</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn %n tile(s)</source>
+        <translation>
+            <numerusform>旋转 %n 块地板砖</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Align %n tile(s)</source>
+        <translation>
+            <numerusform>对齐 %n 块地板砖</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Place tile %1</source>
+        <translation>放置地板砖 %1</translation>
+    </message>
+    <message>
+        <source>A site holds no more than a million tiles.</source>
+        <translation>一个场地最多一百万块地板砖。</translation>
+    </message>
+    <message>
+        <source>This site has a tile type “%1” that is another one.</source>
+        <translation>此场地已有名为“%1”的另一种地板规格。</translation>
+    </message>
+    <message>
+        <source>There is no tile type “%1” any more.</source>
+        <translation>地板规格“%1”已不存在。</translation>
+    </message>
+    <message>
+        <source>There are tiles already: none may lie upon another.</source>
+        <translation>那里已有地板砖：地板砖不能重叠。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n tile(s)</source>
+        <translation>
+            <numerusform>删除 %n 块地板砖</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A tile needs a serial number.</source>
+        <translation>地板砖需要序列号。</translation>
+    </message>
+    <message>
+        <source>This serial number is too long.</source>
+        <translation>这个序列号太长。</translation>
+    </message>
+    <message>
+        <source>There is a tile “%1” already.</source>
+        <translation>已有地板砖“%1”。</translation>
+    </message>
+    <message>
+        <source>Rename tile %1</source>
+        <translation>重命名地板砖 %1</translation>
     </message>
 </context>
 <context>
@@ -2313,6 +2412,18 @@
         <source>&amp;Change routes</source>
         <translation>修改路径(&amp;C)</translation>
     </message>
+    <message>
+        <source>Lay &amp;tiles</source>
+        <translation>铺设地板砖(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Tile t&amp;ypes…</source>
+        <translation>地板规格(&amp;Y)…</translation>
+    </message>
+    <message>
+        <source>Lay tiles on the floor, choose and move them (%1)</source>
+        <translation>在地面上铺设、选择和移动地板砖（%1）</translation>
+    </message>
 </context>
 <context>
     <name>tessera::desktop::WindowPanels</name>
@@ -2335,6 +2446,10 @@
     <message>
         <source>Routes</source>
         <translation>路径</translation>
+    </message>
+    <message>
+        <source>Tiles</source>
+        <translation>地板砖</translation>
     </message>
 </context>
 <context>
@@ -3373,6 +3488,137 @@ x %2 m，y %3 m</translation>
     <message>
         <source>Sa&amp;ve the site</source>
         <translation>保存场地(&amp;V)</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::LayTool</name>
+    <message numerus="yes">
+        <source>Lay %n tile(s)</source>
+        <translation>
+            <numerusform>铺设 %n 块地板砖</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n tile(s)</source>
+        <translation>
+            <numerusform>再铺 %n 块地板砖</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no room beside the chosen tiles: copy them and paste them where there is.</source>
+        <translation>所选地板砖旁边没有空位：请复制后粘贴到有空位的地方。</translation>
+    </message>
+    <message>
+        <source>There are tiles already: none may lie upon another.</source>
+        <translation>那里已有地板砖：地板砖不能重叠。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n tile(s)</source>
+        <translation>
+            <numerusform>粘贴 %n 块地板砖</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Tiles snap to their neighbours. Alt: no snapping. Esc: leave them where they were.</source>
+        <translation>地板砖对齐到相邻的砖。Alt：不吸附。Esc：放回原处。</translation>
+    </message>
+    <message>
+        <source>Let go to finish. Esc: as it was.</source>
+        <translation>松开即完成。Esc：恢复原样。</translation>
+    </message>
+    <message>
+        <source>Click where the copies are to lie. R: turn them. Alt: no snapping. Esc: leave it.</source>
+        <translation>点击副本要放的位置。R：旋转。Alt：不吸附。Esc：放弃。</translation>
+    </message>
+    <message>
+        <source>This site has no tile type yet: make one in the panel Tiles.</source>
+        <translation>此场地还没有地板规格：请在“地板砖”面板中创建。</translation>
+    </message>
+    <message>
+        <source>Drag over the floor to lay tiles, with Shift to fill a rectangle. R: turn. C: choose tiles. Esc: stop.</source>
+        <translation>在地面上拖动以铺设地板砖，按住 Shift 填满矩形。R：旋转。C：选择地板砖。Esc：停止。</translation>
+    </message>
+    <message>
+        <source>Click a tile or drag around several to choose them. L: lay tiles.</source>
+        <translation>单击一块地板砖，或拖出矩形选中多块。L：铺设地板砖。</translation>
+    </message>
+    <message>
+        <source>Drag or arrow keys: move. R: turn. Del: delete. Ctrl+C, Ctrl+V: copy, paste. Ctrl+click: choose more.</source>
+        <translation>拖动或方向键：移动。R：旋转。Del：删除。Ctrl+C、Ctrl+V：复制、粘贴。Ctrl+单击：增选。</translation>
+    </message>
+    <message>
+        <source>&amp;Turn</source>
+        <translation>旋转(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Turn &amp;each</source>
+        <translation>各自旋转(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Align</source>
+        <translation>对齐(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Left edges</source>
+        <translation>左边缘(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Right edges</source>
+        <translation>右边缘(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Upper edges</source>
+        <translation>上边缘(&amp;U)</translation>
+    </message>
+    <message>
+        <source>L&amp;ower edges</source>
+        <translation>下边缘(&amp;O)</translation>
+    </message>
+    <message>
+        <source>To the &amp;neighbours</source>
+        <translation>与相邻的砖(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>粘贴(&amp;P)</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate</source>
+        <translation>再铺一份(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>删除(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Choose a&amp;ll</source>
+        <translation>全选(&amp;L)</translation>
+    </message>
+    <message>
+        <source>This site has no tile type yet: make one first.</source>
+        <translation>此场地还没有地板规格：请先创建一种。</translation>
+    </message>
+    <message>
+        <source>So many tiles are too many at once: fill a smaller rectangle.</source>
+        <translation>一次铺设的地板砖太多：请填较小的矩形。</translation>
+    </message>
+    <message>
+        <source>x %1 cm, y %2 cm</source>
+        <translation>x %1 cm，y %2 cm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tile(s)</source>
+        <translation>
+            <numerusform>%n 块地板砖</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 × %2 tiles</source>
+        <translation>%1 × %2 块地板砖</translation>
     </message>
 </context>
 <context>
@@ -4666,6 +4912,310 @@ x %2 m，y %3 m</translation>
     </message>
 </context>
 <context>
+    <name>tessera::ui::TilePanel</name>
+    <message>
+        <source>%1, turned by %2°</source>
+        <translation>%1，旋转 %2°</translation>
+    </message>
+    <message>
+        <source>No tile is laid yet: drag over the floor.</source>
+        <translation>尚未铺设地板砖：请在地面上拖动。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tile(s) laid, none of them chosen.</source>
+        <translation>
+            <numerusform>已铺设 %n 块地板砖，未选择任何一块。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tile(s) chosen.</source>
+        <translation>
+            <numerusform>已选 %n 块地板砖。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Type: %1.</source>
+        <translation>规格：%1。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n type(s).</source>
+        <translation>
+            <numerusform>%n 种规格。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tag(s) registered.</source>
+        <translation>
+            <numerusform>已登记 %n 个电子标签。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The chosen tile:</source>
+        <translation>所选地板砖：</translation>
+    </message>
+    <message>
+        <source>%1 of %2 registered</source>
+        <translation>%2 个中已登记 %1 个</translation>
+    </message>
+    <message>
+        <source>Tiles are laid by their type: size, pitch and pattern of the tags. This site has no tile type yet.</source>
+        <translation>地板砖按规格铺设：尺寸、标签间距和图案。此场地还没有地板规格。</translation>
+    </message>
+    <message>
+        <source>Make a tile type…</source>
+        <translation>创建地板规格…</translation>
+    </message>
+    <message>
+        <source>Lay tiles</source>
+        <translation>铺设地板砖</translation>
+    </message>
+    <message>
+        <source>Lay tiles by dragging over the floor (L)</source>
+        <translation>在地面上拖动以铺设地板砖（L）</translation>
+    </message>
+    <message>
+        <source>Choose tiles</source>
+        <translation>选择地板砖</translation>
+    </message>
+    <message>
+        <source>Choose and move tiles (C)</source>
+        <translation>选择和移动地板砖（C）</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Turn what is chosen, else what is laid next (R)</source>
+        <translation>旋转所选的砖；未选择时旋转接下来铺设的砖（R）</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>再制一份</translation>
+    </message>
+    <message>
+        <source>Lay the chosen tiles again beside them (Ctrl+D)</source>
+        <translation>在旁边再铺一份所选的砖（Ctrl+D）</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Delete the chosen tiles (Del)</source>
+        <translation>删除所选地板砖（Del）</translation>
+    </message>
+    <message>
+        <source>Align the chosen tiles</source>
+        <translation>对齐所选地板砖</translation>
+    </message>
+    <message>
+        <source>Left edges</source>
+        <translation>左边缘</translation>
+    </message>
+    <message>
+        <source>Right edges</source>
+        <translation>右边缘</translation>
+    </message>
+    <message>
+        <source>Upper edges</source>
+        <translation>上边缘</translation>
+    </message>
+    <message>
+        <source>Lower edges</source>
+        <translation>下边缘</translation>
+    </message>
+    <message>
+        <source>To the neighbours</source>
+        <translation>与相邻的砖</translation>
+    </message>
+    <message>
+        <source>Tile type</source>
+        <translation>地板规格</translation>
+    </message>
+    <message>
+        <source>Tile types…</source>
+        <translation>地板规格…</translation>
+    </message>
+    <message>
+        <source>Serials begin with</source>
+        <translation>序列号前缀</translation>
+    </message>
+    <message>
+        <source>Digits</source>
+        <translation>位数</translation>
+    </message>
+    <message>
+        <source>Numbers from</source>
+        <translation>起始号码</translation>
+    </message>
+    <message>
+        <source>Next tile</source>
+        <translation>下一块砖</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>序列号</translation>
+    </message>
+    <message>
+        <source>Left edge at x</source>
+        <translation>左边缘 x</translation>
+    </message>
+    <message>
+        <source>Lower edge at y</source>
+        <translation>下边缘 y</translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <translation> cm</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>电子标签</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::TileTypesDialog</name>
+    <message>
+        <source>Change the types</source>
+        <translation>修改规格</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>返回</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tile(s) are of this type: delete them first.</source>
+        <translation>
+            <numerusform>有 %n 块地板砖属于此规格：请先删除它们。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are two tile types “%1”.</source>
+        <translation>有两种地板规格名为“%1”。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n registered tag(s) lie where the changed types have none: their numbers would be dropped from the site.</source>
+        <translation>
+            <numerusform>有 %n 个已登记的电子标签位于修改后的规格没有标签的位置：其号码将从场地中去除。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change tile types</source>
+        <translation>修改地板规格</translation>
+    </message>
+    <message>
+        <source>every place</source>
+        <translation>每个位置</translation>
+    </message>
+    <message>
+        <source>every second place</source>
+        <translation>隔一个位置</translation>
+    </message>
+    <message>
+        <source>%1 × %2 cm, a tag each %3 cm, %4</source>
+        <translation>%1 × %2 cm，每 %3 cm 一个标签，%4</translation>
+    </message>
+    <message>
+        <source>Tile types</source>
+        <translation>地板规格</translation>
+    </message>
+    <message>
+        <source>Add a tile type</source>
+        <translation>添加地板规格</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>再制一份</translation>
+    </message>
+    <message>
+        <source>Make another type of the same numbers</source>
+        <translation>按相同数值再建一种规格</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Delete the type</source>
+        <translation>删除此规格</translation>
+    </message>
+    <message>
+        <source>There is no tile type yet. Add one with + : the usual sizes are ready made.</source>
+        <translation>还没有地板规格。用 + 添加：常用尺寸已备好。</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>确定</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>To the right the places go on evenly, %1 cm over the seam.</source>
+        <translation>向右，位置跨接缝间距均匀，为 %1 cm。</translation>
+    </message>
+    <message>
+        <source>To the right they come closer: %1 cm over the seam instead of %2 cm.</source>
+        <translation>向右，跨接缝间距变密：%1 cm，而非 %2 cm。</translation>
+    </message>
+    <message>
+        <source>To the right they lie wider: %1 cm over the seam instead of %2 cm.</source>
+        <translation>向右，跨接缝间距变疏：%1 cm，而非 %2 cm。</translation>
+    </message>
+    <message>
+        <source>Above they go on evenly, %1 cm over the seam.</source>
+        <translation>向上，跨接缝间距均匀，为 %1 cm。</translation>
+    </message>
+    <message>
+        <source>Above they come closer: %1 cm over the seam instead of %2 cm.</source>
+        <translation>向上，跨接缝间距变密：%1 cm，而非 %2 cm。</translation>
+    </message>
+    <message>
+        <source>Above they lie wider: %1 cm over the seam instead of %2 cm.</source>
+        <translation>向上，跨接缝间距变疏：%1 cm，而非 %2 cm。</translation>
+    </message>
+    <message>
+        <source>Red: tags meet at the seam, %1 cm apart, closer than within the tile.</source>
+        <translation>红色：标签在接缝处相遇，相距 %1 cm，比砖内更近。</translation>
+    </message>
+    <message>
+        <source>A new type: no tile is of it yet.</source>
+        <translation>新规格：尚无地板砖属于它。</translation>
+    </message>
+    <message>
+        <source>No tile is of this type.</source>
+        <translation>没有地板砖属于此规格。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tile(s) are of this type,</source>
+        <translation>
+            <numerusform>有 %n 块地板砖属于此规格，</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tag(s) on them are registered.</source>
+        <translation>
+            <numerusform>其上已登记 %n 个电子标签。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of their numbers would be dropped.</source>
+        <translation>
+            <numerusform>其中 %n 个号码将被去除。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All their numbers stay.</source>
+        <translation>所有号码保留。</translation>
+    </message>
+</context>
+<context>
     <name>tessera::ui::TimeChart</name>
     <message>
         <source>Cross-track error and speed</source>
@@ -4737,6 +5287,81 @@ Speed %3 m/s, commanded %4 m/s</source>
     <message>
         <source>x %1 m, y %2 m</source>
         <translation>x %1 m，y %2 m</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::TypeForm</name>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高</translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation>间距</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>图案</translation>
+    </message>
+    <message>
+        <source>Places in a row</source>
+        <translation>每行位置数</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>行数</translation>
+    </message>
+    <message>
+        <source>First place from the left edge</source>
+        <translation>首个位置距左边缘</translation>
+    </message>
+    <message>
+        <source>First place from the lower edge</source>
+        <translation>首个位置距下边缘</translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <translation> cm</translation>
+    </message>
+    <message>
+        <source>From one place to the next, along rows and columns</source>
+        <translation>沿行和列，相邻两个位置之间的距离</translation>
+    </message>
+    <message>
+        <source>A tag at every place</source>
+        <translation>每个位置一个标签</translation>
+    </message>
+    <message>
+        <source>A tag at every second place</source>
+        <translation>隔一个位置一个标签</translation>
+    </message>
+    <message>
+        <source>As clicked in the drawing</source>
+        <translation>按图中点击</translation>
+    </message>
+    <message>
+        <source>Starts with a gap</source>
+        <translation>以空位开始</translation>
+    </message>
+    <message>
+        <source>The first place at the lower left is without a tag</source>
+        <translation>左下角的首个位置没有标签</translation>
+    </message>
+    <message>
+        <source>Fit the places to the tile</source>
+        <translation>使位置适合地板砖</translation>
+    </message>
+    <message>
+        <source>As many places as the pitch lets on the tile, in its middle</source>
+        <translation>按间距在砖上居中布置尽可能多的位置</translation>
     </message>
 </context>
 <context>
@@ -4824,6 +5449,21 @@ Speed %3 m/s, commanded %4 m/s</source>
     <message>
         <source>The vehicle from above, nose up: outline, wheels, and the discs in which readers see tags</source>
         <translation>车辆俯视图，车头朝上：外形、车轮，以及读卡器能读到标签的圆形范围</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::TypePicture</name>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>Drawing of the tile type</source>
+        <translation>地板规格的图形</translation>
+    </message>
+    <message>
+        <source>Click a place to put a tag there or to take it away; with the keys: arrows and space bar.</source>
+        <translation>单击某个位置可放上或取走标签；用键盘：方向键和空格键。</translation>
     </message>
 </context>
 <context>
