@@ -40,6 +40,8 @@ public:
   [[nodiscard]] std::vector<Homeless> homeless();
   /// The open site is the one that was kept under this key.
   void goOnAs(const std::string& key) { use(key); }
+  /// Under which the open site is kept.
+  [[nodiscard]] const std::string& key() const { return key_; }
   void forget(const std::string& key) { store_->removeSite(key); }
   /// The open site was saved to this file.
   void onSaved(const QString& path);

@@ -16,6 +16,7 @@
 
 #include "app/tessera/fleet_session.h"
 #include "app/tessera/keeper.h"
+#include "app/tessera/register_desk.h"
 #include "app/tessera/site_files.h"
 #include "app/tessera/window_actions.h"
 #include "app/tessera/window_panels.h"
@@ -48,6 +49,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow{parent} {
   joinSite();
   joinFleet();
   joinActions();
+  joinRegister();
   joinPanels();
   retranslate();
   showSite();
@@ -56,6 +58,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow{parent} {
 
 MainWindow::~MainWindow() {
   session_->close();
+  register_.reset();  // it asks the keeper
   // Whatever looks at the document goes before it, what is still to be kept first of all.
   delete keeper_;
   document_.disconnect(this);

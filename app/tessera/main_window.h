@@ -31,6 +31,7 @@ namespace tessera::desktop {
 
 class FleetSession;
 class Keeper;
+class RegisterDesk;
 class SiteFiles;
 class WindowActions;
 class WindowPanels;
@@ -46,6 +47,7 @@ public:
   [[nodiscard]] FleetSession& session() { return *session_; }
   [[nodiscard]] SiteFiles& files() { return *files_; }
   [[nodiscard]] ui::FloorCanvas& canvas() { return *canvas_; }
+  [[nodiscard]] RegisterDesk& registerDesk() { return *register_; }
   [[nodiscard]] Keeper& keeper() { return *keeper_; }
 
   /// Window, panels, language and appearance as they were.
@@ -78,6 +80,7 @@ private:
   void forgetSelectionThatIsGone();
   void useTool(ui::CanvasTool* tool);
   void drawRoute();
+  void joinRegister();
   void showTool();
   [[nodiscard]] std::optional<ui::ConnectionChoice> chooseConnection();
   void askConnection();
@@ -101,6 +104,7 @@ private:
   ui::StartPage* start_;
   ui::FloorCanvas* canvas_;
   std::unique_ptr<ui::RouteTool> routeTool_;
+  std::unique_ptr<RegisterDesk> register_;
   WindowPanels* panels_;
   ui::StopAllButton* stopAll_;
   ui::StopAllKey* stopAllKey_;

@@ -52,6 +52,7 @@ void WindowActions::makeAll() {
   browse = make("browse", "pan", QKeySequence{Qt::CTRL | Qt::Key_B}, true);
   editRoutes = make("editRoutes", "select", QKeySequence{Qt::CTRL | Qt::Key_E}, true);
   drawRoute = make("drawRoute", "route", QKeySequence{Qt::CTRL | Qt::Key_R}, true);
+  registerTags = make("registerTags", "tag", QKeySequence{Qt::CTRL | Qt::Key_T}, true);
   connectPort = make("connect", "connect", QKeySequence{Qt::CTRL | Qt::Key_K});
   disconnectPort = make("disconnect", "disconnect");
   radio = make("radio", "radio");
@@ -77,6 +78,8 @@ void WindowActions::fillMenus(QMainWindow& window) {
   edit_->addActions({undo, redo});
   edit_->addSeparator();
   edit_->addActions({browse, editRoutes, drawRoute});
+  edit_->addSeparator();
+  edit_->addAction(registerTags);
   view_ = bar->addMenu(QString{});
   view_->addActions({zoomIn, zoomOut, fit, follow});
   view_->addSeparator();

@@ -25,6 +25,7 @@ public:
   QAction *undo, *redo;
   QAction *zoomIn, *zoomOut, *fit, *follow, *tags, *zones, *trails, *uncertainty, *grid;
   QAction *drawRoute, *editRoutes, *browse;
+  QAction* registerTags;
   QAction *connectPort, *disconnectPort, *radio;
   QAction *commission, *editVehicle, *jog, *stopAll;
   QAction *help, *about;

@@ -1,5 +1,4 @@
 // The dialogues that the main window opens, and what comes of them.
-#include <QSerialPortInfo>
 #include <QShortcut>
 #include <QStatusBar>
 
@@ -7,27 +6,13 @@
 #include "app/tessera/keeper.h"
 #include "app/tessera/main_window.h"
 #include "app/tessera/radio_workbench.h"
+#include "app/tessera/scan_workbench.h"
 #include "app/tessera/site_files.h"
 #include "ui/commission/commission_wizard.h"
 #include "ui/connect/connect_dialog.h"
 #include "ui/connect/radio_dialog.h"
 
 namespace tessera::desktop {
-namespace {
-
-std::vector<ui::PortFound> portsFound() {
-  std::vector<ui::PortFound> ports;
-  for (const QSerialPortInfo& info : QSerialPortInfo::availablePorts()) {
-    // Linux lists the sockets of plugs that no computer has had for years.
-    if (info.portName().startsWith(QLatin1String{"ttyS"}) && info.description().isEmpty() &&
-        !info.hasVendorIdentifier())
-      continue;
-    ports.push_back({info.systemLocation(), info.description(), false});
-  }
-  return ports;
-}
-
-}  // namespace
 
 std::optional<ui::ConnectionChoice> MainWindow::chooseConnection() {
   ui::ConnectDialog dialog{this};

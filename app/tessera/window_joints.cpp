@@ -13,6 +13,7 @@
 #include "app/tessera/keeper.h"
 #include "app/tessera/main_window.h"
 #include "app/tessera/radio_workbench.h"
+#include "app/tessera/register_desk.h"
 #include "app/tessera/site_files.h"
 #include "app/tessera/window_actions.h"
 #include "app/tessera/window_panels.h"
@@ -166,10 +167,10 @@ void MainWindow::joinActions() {
   connect(actions_, &WindowActions::languageChosen, this, &MainWindow::setLanguage);
   connect(actions_, &WindowActions::appearanceChosen, this, &MainWindow::setAppearance);
   connect(a.recent, &QMenu::triggered, this, [this](QAction* action) { files_->open(action->data().toString()); });
-  for (QDockWidget* dock : panels_->docks()) a.panels->addAction(dock->toggleViewAction());
 }
 
 void MainWindow::joinPanels() {
+  for (QDockWidget* dock : panels_->docks()) actions_->panels->addAction(dock->toggleViewAction());
   connect(panels_->vehicles, &ui::VehicleTable::connectRequested, this, &MainWindow::askConnection);
   connect(panels_->vehicles, &ui::VehicleTable::commissionRequested, this, [this] { commission(std::nullopt); });
   connect(panels_->vehicles, &ui::VehicleTable::followRequested, this, [this](VehicleId vehicle) {
@@ -198,9 +199,10 @@ void MainWindow::joinPanels() {
 void MainWindow::showSite() {
   centre_->setCurrentIndex(open_ ? centre_->indexOf(canvas_) : 0);
   panels_->setShown(open_);
-  for (QAction* action : {actions_->save, actions_->saveAs, actions_->rename, actions_->zoomIn, actions_->zoomOut,
-                          actions_->fit, actions_->follow, actions_->browse, actions_->editRoutes, actions_->drawRoute,
-                          actions_->connectPort, actions_->radio, actions_->commission, actions_->jog})
+  for (QAction* action :
+       {actions_->save, actions_->saveAs, actions_->rename, actions_->zoomIn, actions_->zoomOut, actions_->fit,
+        actions_->follow, actions_->browse, actions_->editRoutes, actions_->drawRoute, actions_->registerTags,
+        actions_->connectPort, actions_->radio, actions_->commission, actions_->jog})
     action->setEnabled(open_);
   actions_->editVehicle->setEnabled(open_ && selection_.vehicle().has_value());
   setWindowFilePath(document_.path());
@@ -271,7 +273,8 @@ void MainWindow::drawRoute() {
 void MainWindow::showTool() {
   const bool routes = canvas_->tool() == routeTool_.get();
   const bool drawing = routes && routeTool_->isDrawing();
-  actions_->browse->setChecked(!routes);
+  actions_->browse->setChecked(canvas_->tool() == nullptr);
+  actions_->registerTags->setChecked(register_ && canvas_->tool() == &register_->tool());
   actions_->editRoutes->setChecked(routes && !drawing);
   actions_->drawRoute->setChecked(drawing);
   actions_->allowSteps(drawing && !routeTool_->draft().empty());

@@ -44,6 +44,15 @@ QDockWidget* WindowPanels::add(QMainWindow& window, const char* name, const char
   return dock;
 }
 
+QDockWidget* WindowPanels::addTool(QMainWindow& window, const char* name, const char* topic, QWidget* content) {
+  auto* dock = add(window, name, topic, Qt::RightDockWidgetArea, content);
+  dock->setWindowTitle(content->windowTitle());
+  connect(content, &QWidget::windowTitleChanged, dock, &QWidget::setWindowTitle);
+  window.tabifyDockWidget(window.findChild<QDockWidget*>(QStringLiteral("routesDock")), dock);
+  dock->hide();
+  return dock;
+}
+
 void WindowPanels::setShown(bool shown) {
   if (shown == shown_) return;
   shown_ = shown;
@@ -68,7 +77,8 @@ void WindowPanels::arrange(QMainWindow& window) {
 
 void WindowPanels::retranslate() {
   const QStringList titles{tr("Vehicles"), tr("Charts"), tr("What happened"), tr("Drive"), tr("Routes")};
-  for (std::size_t i = 0; i < docks_.size(); ++i) docks_[i]->setWindowTitle(titles.at(static_cast<qsizetype>(i)));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(titles.size()); ++i)
+    docks_[i]->setWindowTitle(titles.at(static_cast<qsizetype>(i)));
 }
 
 }  // namespace tessera::desktop

@@ -33,6 +33,9 @@ public:
   ui::LiveCharts* charts;
   ui::EventPanel* events;
 
+  /// The panel of a tool: a tab beside the routes, hidden until the tool is chosen. Its title is the content's window
+  /// title.
+  QDockWidget* addTool(QMainWindow& window, const char* name, const char* topic, QWidget* content);
   [[nodiscard]] const std::vector<QDockWidget*>& docks() const { return docks_; }
   /// Shown together with the floor, hidden behind the start page.
   void setShown(bool shown);

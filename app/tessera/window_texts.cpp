@@ -41,6 +41,7 @@ void WindowActions::retranslate() {
   browse->setText(tr("&Look around"));
   editRoutes->setText(tr("&Change routes"));
   drawRoute->setText(tr("&Draw a route"));
+  registerTags->setText(tr("Register &tags…"));
   connectPort->setText(tr("&Connect…"));
   disconnectPort->setText(tr("&Disconnect"));
   radio->setText(tr("&Radio module of this computer…"));

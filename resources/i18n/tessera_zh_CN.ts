@@ -1667,6 +1667,10 @@
         <source>The pattern does not have as many places as the tile.</source>
         <translation>图案的位置数与地板砖不符。</translation>
     </message>
+    <message>
+        <source>The reader&apos;s port %1 cannot be used: %2. It is taken up as soon as it is there.</source>
+        <translation>读卡器的串口 %1 无法使用：%2。一旦可用会自动恢复。</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>
@@ -1758,6 +1762,25 @@
     <message>
         <source>Rename tile %1</source>
         <translation>重命名地板砖 %1</translation>
+    </message>
+</context>
+<context>
+    <name>RegisterEdits</name>
+    <message>
+        <source>There is no tile %1 any more.</source>
+        <translation>已没有地板砖 %1。</translation>
+    </message>
+    <message>
+        <source>Register tag %1 of tile %2</source>
+        <translation>登记地板砖 %2 的第 %1 个标签</translation>
+    </message>
+    <message>
+        <source>Take back tag %1 of tile %2</source>
+        <translation>撤回地板砖 %2 的第 %1 个标签</translation>
+    </message>
+    <message>
+        <source>Clear the registration of tile %1</source>
+        <translation>清除地板砖 %1 的登记</translation>
     </message>
 </context>
 <context>
@@ -2413,16 +2436,8 @@
         <translation>修改路径(&amp;C)</translation>
     </message>
     <message>
-        <source>Lay &amp;tiles</source>
-        <translation>铺设地板砖(&amp;T)</translation>
-    </message>
-    <message>
-        <source>Tile t&amp;ypes…</source>
-        <translation>地板规格(&amp;Y)…</translation>
-    </message>
-    <message>
-        <source>Lay tiles on the floor, choose and move them (%1)</source>
-        <translation>在地面上铺设、选择和移动地板砖（%1）</translation>
+        <source>Register &amp;tags…</source>
+        <translation>登记标签(&amp;T)…</translation>
     </message>
 </context>
 <context>
@@ -2446,10 +2461,6 @@
     <message>
         <source>Routes</source>
         <translation>路径</translation>
-    </message>
-    <message>
-        <source>Tiles</source>
-        <translation>地板砖</translation>
     </message>
 </context>
 <context>
@@ -4217,6 +4228,28 @@ x %2 m，y %3 m</translation>
     </message>
 </context>
 <context>
+    <name>tessera::ui::RegisterPanel</name>
+    <message>
+        <source>Register tags</source>
+        <translation>登记标签</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::RegisterTool</name>
+    <message>
+        <source>Choose the reader in the panel and press Start.</source>
+        <translation>在面板中选择读卡器，然后按“开始”。</translation>
+    </message>
+    <message>
+        <source>Every place is registered or skipped. Esc: leave.</source>
+        <translation>所有位置都已登记或跳过。Esc：离开。</translation>
+    </message>
+    <message>
+        <source>Hold the lit tag to the reader. Backspace: one back. Del: skip it. Double-click a tag: go on there. Esc: leave.</source>
+        <translation>读取点亮的标签。Backspace：退回一个。Del：跳过。双击标签：从那里继续。Esc：离开。</translation>
+    </message>
+</context>
+<context>
     <name>tessera::ui::RoutePanel</name>
     <message>
         <source>%1 m, about %2 s</source>
@@ -4549,6 +4582,133 @@ x %2 m，y %3 m</translation>
     </message>
 </context>
 <context>
+    <name>tessera::ui::ScanPage</name>
+    <message>
+        <source>Go on</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>All done</source>
+        <translation>全部完成</translation>
+    </message>
+    <message>
+        <source>There is no place for a tag here.</source>
+        <translation>这里没有标签的位置。</translation>
+    </message>
+    <message>
+        <source>Every place is registered or skipped.</source>
+        <translation>所有位置都已登记或跳过。</translation>
+    </message>
+    <message>
+        <source>Tile %1</source>
+        <translation>地板砖 %1</translation>
+    </message>
+    <message>
+        <source>Tag %1 of %2</source>
+        <translation>第 %1 个标签，共 %2 个</translation>
+    </message>
+    <message>
+        <source>%1: %2 until another is read</source>
+        <translation>%1：目前为 %2，读到别的标签即替换</translation>
+    </message>
+    <message>
+        <source>%1 – paused, reads do not count</source>
+        <translation>%1 — 已暂停，读到的不算</translation>
+    </message>
+    <message>
+        <source>%1 of %2 registered</source>
+        <translation>已登记 %1 / %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 skipped</source>
+        <translation>%1，跳过 %2</translation>
+    </message>
+    <message>
+        <source>%1. %2 a minute, about %3 min left</source>
+        <translation>%1。每分钟 %2 个，约剩 %3 分钟</translation>
+    </message>
+    <message>
+        <source>Reader: types like a keyboard</source>
+        <translation>读卡器：像键盘一样输入</translation>
+    </message>
+    <message>
+        <source>Reader: %1 is being opened…</source>
+        <translation>读卡器：正在打开 %1…</translation>
+    </message>
+    <message>
+        <source>Reader: at %1</source>
+        <translation>读卡器：位于 %1</translation>
+    </message>
+    <message>
+        <source>Reader: waiting for %1</source>
+        <translation>读卡器：等待 %1</translation>
+    </message>
+    <message>
+        <source>Registered: %1</source>
+        <translation>已登记：%1</translation>
+    </message>
+    <message>
+        <source>Go on there</source>
+        <translation>到那里继续</translation>
+    </message>
+    <message>
+        <source>Show it</source>
+        <translation>显示它</translation>
+    </message>
+    <message>
+        <source>One back</source>
+        <translation>退回一个</translation>
+    </message>
+    <message>
+        <source>Take the last tag back (Backspace)</source>
+        <translation>撤回上一个标签（Backspace）</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>跳过</translation>
+    </message>
+    <message>
+        <source>This tag is dead or missing (Del)</source>
+        <translation>此标签损坏或缺失（Del）</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>To go on another time</source>
+        <translation>下次再继续</translation>
+    </message>
+    <message>
+        <source>Visit the skipped places</source>
+        <translation>处理跳过的位置</translation>
+    </message>
+    <message>
+        <source>Reads do not count meanwhile (Pause)</source>
+        <translation>其间读到的不算（Pause）</translation>
+    </message>
+    <message>
+        <source>Previous place</source>
+        <translation>上一个位置</translation>
+    </message>
+    <message>
+        <source>Previous place (Page Up)</source>
+        <translation>上一个位置（Page Up）</translation>
+    </message>
+    <message>
+        <source>Next place</source>
+        <translation>下一个位置</translation>
+    </message>
+    <message>
+        <source>Next place (Page Down)</source>
+        <translation>下一个位置（Page Down）</translation>
+    </message>
+</context>
+<context>
     <name>tessera::ui::SerialBox</name>
     <message>
         <source>Choose the port of the radio module, or type its path.</source>
@@ -4705,6 +4865,141 @@ x %2 m，y %3 m</translation>
     <message>
         <source>&amp;Write to the vehicle</source>
         <translation>写入车辆(&amp;W)</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::SetupPage</name>
+    <message>
+        <source>The site has no tiles yet. Lay them first.</source>
+        <translation>场地还没有地板砖，请先铺设。</translation>
+    </message>
+    <message>
+        <source>Choose the reader&apos;s port, or type its path.</source>
+        <translation>选择读卡器的串口，或输入其路径。</translation>
+    </message>
+    <message>
+        <source>Type the serial number of the tile.</source>
+        <translation>请输入地板砖的序列号。</translation>
+    </message>
+    <message>
+        <source>The site has no tile %1.</source>
+        <translation>场地中没有地板砖 %1。</translation>
+    </message>
+    <message>
+        <source>Registering stopped at tag %1 of tile %2.</source>
+        <translation>登记停在地板砖 %2 的第 %1 个标签。</translation>
+    </message>
+    <message>
+        <source>No tag of tile %1 is registered any more. Undo brings them back.</source>
+        <translation>地板砖 %1 的标签登记已全部清除。撤销可恢复。</translation>
+    </message>
+    <message>
+        <source>Hold the tags of the floor to a reader, one after the other, as the map lights them.</source>
+        <translation>按照地图点亮的顺序，用读卡器逐个读取地面的标签。</translation>
+    </message>
+    <message>
+        <source>Reader:</source>
+        <translation>读卡器：</translation>
+    </message>
+    <message>
+        <source>Types like a keyboard</source>
+        <translation>像键盘一样输入</translation>
+    </message>
+    <message>
+        <source>At a serial port</source>
+        <translation>串口</translation>
+    </message>
+    <message>
+        <source>Port:</source>
+        <translation>串口：</translation>
+    </message>
+    <message>
+        <source>The reader&apos;s port</source>
+        <translation>读卡器的串口</translation>
+    </message>
+    <message>
+        <source>Look for ports again</source>
+        <translation>重新查找串口</translation>
+    </message>
+    <message>
+        <source>Baud rate:</source>
+        <translation>波特率：</translation>
+    </message>
+    <message>
+        <source>%1 bit/s</source>
+        <translation>%1 bit/s</translation>
+    </message>
+    <message>
+        <source>It sends:</source>
+        <translation>发送内容：</translation>
+    </message>
+    <message>
+        <source>Hexadecimal lines</source>
+        <translation>十六进制行</translation>
+    </message>
+    <message>
+        <source>Decimal lines</source>
+        <translation>十进制行</translation>
+    </message>
+    <message>
+        <source>Decimal lines, bytes reversed</source>
+        <translation>十进制行，字节倒序</translation>
+    </message>
+    <message>
+        <source>Frames of an MFRC522 module</source>
+        <translation>MFRC522 模块的帧</translation>
+    </message>
+    <message>
+        <source>Order:</source>
+        <translation>顺序：</translation>
+    </message>
+    <message>
+        <source>Tile by tile along the floor</source>
+        <translation>沿地面逐块地板砖</translation>
+    </message>
+    <message>
+        <source>Tile by tile as listed, also not laid ones</source>
+        <translation>按列表逐块，包括未铺设的</translation>
+    </message>
+    <message>
+        <source>Row by row of tags</source>
+        <translation>逐行标签</translation>
+    </message>
+    <message>
+        <source>One tile alone</source>
+        <translation>只登记一块地板砖</translation>
+    </message>
+    <message>
+        <source>serial number</source>
+        <translation>序列号</translation>
+    </message>
+    <message>
+        <source>Serial number of the tile</source>
+        <translation>地板砖的序列号</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清除</translation>
+    </message>
+    <message>
+        <source>Forget which tags this tile has</source>
+        <translation>忘记此地板砖有哪些标签</translation>
+    </message>
+    <message>
+        <source>Also tags that are registered already</source>
+        <translation>包括已登记的标签</translation>
+    </message>
+    <message>
+        <source>Sounds</source>
+        <translation>声音</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>Go on from there</source>
+        <translation>从那里继续</translation>
     </message>
 </context>
 <context>

@@ -32,6 +32,40 @@ private:
   int mergeKey_;
 };
 
+class EditSiteLightly : public QUndoCommand {
+public:
+  using Change = std::function<void(floor::Site&)>;
+
+  EditSiteLightly(SiteDocument& document, const QString& step, std::shared_ptr<const floor::SiteMap> after,
+                  Change change, Change back)
+      : QUndoCommand{step},
+        document_{document},
+        first_{std::move(after)},
+        change_{std::move(change)},
+        back_{std::move(back)} {}
+
+  void undo() override { go(back_); }
+  void redo() override {
+    if (first_)
+      document_.show(std::exchange(first_, nullptr));
+    else
+      go(change_);
+  }
+
+private:
+  void go(const Change& change) {
+    floor::Site site = document_.site();
+    change(site);
+    // The site was one like this before, so that it is good again.
+    if (auto map = floor::SiteMap::build(std::move(site))) document_.show(*std::move(map));
+  }
+
+  SiteDocument& document_;
+  std::shared_ptr<const floor::SiteMap> first_;
+  Change change_;
+  Change back_;
+};
+
 SiteDocument::SiteDocument(QObject* parent) : QObject{parent}, map_{floor::SiteMap::build({}).value()} {
   connect(&undo_, &QUndoStack::cleanChanged, this, [this](bool clean) { Q_EMIT modifiedChanged(!clean); });
 }
@@ -59,6 +93,17 @@ Result<void> SiteDocument::edit(const QString& step, const std::function<void(fl
   auto map = floor::SiteMap::build(std::move(after));
   if (!map) return tl::unexpected{map.error()};
   undo_.push(new EditSite{*this, step, *std::move(map), mergeKey});
+  return {};
+}
+
+Result<void> SiteDocument::editLightly(const QString& step, std::function<void(floor::Site&)> change,
+                                       std::function<void(floor::Site&)> back) {
+  floor::Site after = site();
+  change(after);
+  if (after == site()) return {};
+  auto map = floor::SiteMap::build(std::move(after));
+  if (!map) return tl::unexpected{map.error()};
+  undo_.push(new EditSiteLightly{*this, step, *std::move(map), std::move(change), std::move(back)});
   return {};
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ui/base/notice.h"
-#include "ui/connect/port_found.h"
+#include "ui/base/port_found.h"
 
 namespace tessera::ui {
 

@@ -142,5 +142,37 @@ TEST_F(OpenDocument, restoresAWholeSiteAsOneStep) {
   EXPECT_EQ(document.site().routes.size(), 1U);
 }
 
+TEST_F(OpenDocument, goesBothWaysOverLightStepsAmongOthers) {
+  std::vector<floor::Site> sites{document.site()};
+  const auto rename = [](const char* name) { return [name](floor::Site& site) { site.name = name; }; };
+  const std::string first = document.site().name;
+  ASSERT_TRUE(document.editLightly("A", rename("a"), [first](floor::Site& site) { site.name = first; }));
+  sites.push_back(document.site());
+  ASSERT_TRUE(add("north"));
+  sites.push_back(document.site());
+  ASSERT_TRUE(document.editLightly("B", rename("b"), rename("a")));
+  sites.push_back(document.site());
+  ASSERT_TRUE(document.editLightly("None", rename("b"), rename("a")));
+  EXPECT_EQ(document.undoStack().count(), 3);
+  for (int round = 0; round < 2; ++round) {
+    for (std::size_t n = 3; n-- > 0;) {
+      document.undoStack().undo();
+      EXPECT_EQ(document.site(), sites[n]);
+    }
+    for (std::size_t n = 1; n < 4; ++n) {
+      document.undoStack().redo();
+      EXPECT_EQ(document.site(), sites[n]);
+    }
+  }
+}
+
+TEST_F(OpenDocument, refusesALightStepThatContradictsTheSite) {
+  ASSERT_TRUE(add("north"));
+  const auto twice = [](floor::Site& site) { site.routes.push_back(site.routes.front()); };
+  const auto once = [](floor::Site& site) { site.routes.pop_back(); };
+  EXPECT_FALSE(document.editLightly("Twice", twice, once));
+  EXPECT_EQ(document.undoStack().count(), 1);
+}
+
 }  // namespace
 }  // namespace tessera::ui

@@ -1,0 +1,28 @@
+// What registering remembers, in the settings: the reader, and under each site's key how far it has come.
+#pragma once
+
+#include <QSettings>
+
+#include "app/tessera/keeper.h"
+#include "ui/register/register_memory.h"
+
+namespace tessera::desktop {
+
+class RegisterNotes : public ui::RegisterMemory {
+public:
+  RegisterNotes(Keeper& keeper, ui::SiteDocument& document) : keeper_{keeper}, document_{document} {}
+
+  [[nodiscard]] ui::ReaderChoice reader() const override;
+  void setReader(const ui::ReaderChoice& reader) override;
+  [[nodiscard]] std::optional<scan::Course> course() const override;
+  void keep(const std::optional<scan::Course>& course) override;
+
+private:
+  [[nodiscard]] QString group() const;
+
+  Keeper& keeper_;
+  ui::SiteDocument& document_;
+  QSettings store_;
+};
+
+}  // namespace tessera::desktop

@@ -1,0 +1,144 @@
+// Two tiles are registered with a reader at a port, by a person who errs, is interrupted and loses the reader.
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QPushButton>
+
+#include "app/desktop/desktop_fixture.h"
+#include "app/tessera/keeper.h"
+#include "app/tessera/register_desk.h"
+#include "app/tessera/site_files.h"
+#include "floor/new_floor.h"
+#include "floor/site_json.h"
+#include "sim/pty/pty.h"
+
+namespace tessera::desktop {
+namespace {
+
+using Contact = ui::Registrar::Contact;
+
+class Registering : public DesktopTest {
+protected:
+  void SetUp() override {
+    const auto site = floor::layNewFloor({"hall", floor::usualTileTypes().front(), 2, 1, false}).value();
+    ASSERT_TRUE(floor::saveSite(site, path().toStdString()));
+    plugIn();
+    openWindow(false);
+    ASSERT_TRUE(window->files().open(path()));
+  }
+  [[nodiscard]] QString path() const { return home.filePath("hall.tessera.json"); }
+  [[nodiscard]] std::string port() const { return home.filePath("reader").toStdString(); }
+  void plugIn() { reader.emplace(sim::Pty::open(port()).value()); }
+  void say(const std::string& line) {
+    const std::string text = line + "\r\n";
+    reader->write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  }
+  [[nodiscard]] ui::Registrar& registrar() const { return window->registerDesk().registrar(); }
+  [[nodiscard]] std::size_t registered() const { return registrar().registration()->progress().registered; }
+  void scan(const std::string& uid) {
+    const std::size_t before = registered();
+    say(uid);
+    EXPECT_TRUE(until([&] { return registered() == before + 1; })) << uid;
+  }
+  void start() {
+    trigger("registerTags");
+    EXPECT_TRUE(find<QDockWidget>("registerDock")->isVisible());
+    find<QComboBox>("scanReader")->setCurrentIndex(1);
+    find<QComboBox>("scanPort")->setEditText(QString::fromStdString(port()));
+    QTest::mouseClick(find("startScan"), Qt::LeftButton);
+    ASSERT_TRUE(until([&] { return registrar().contact() == Contact::Open; }));
+  }
+  void pressOnFloor(Qt::Key key) const { QTest::keyClick(&window->canvas(), key); }
+  [[nodiscard]] QString said(const char* label) const { return find<QLabel>(label)->text(); }
+
+  std::optional<sim::Pty> reader;
+};
+
+TEST_F(Registering, goesOverTwoTilesWithADuplicateASkipAndAStepBack) {
+  ASSERT_NO_FATAL_FAILURE(start());
+  for (const char* uid : {"04000001", "04000002", "04000003"}) scan(uid);
+  say("04000003");  // the card still lies there
+  say("04000001");
+  ASSERT_TRUE(until([&] { return find("scanWhere")->isVisible(); }));
+  EXPECT_EQ(said("scanNotice"), "Tag 04000001 is registered already, as tag 1 of tile \"T-0001\".");
+  QTest::mouseClick(find("scanWhere"), Qt::LeftButton);
+  EXPECT_EQ(registered(), 3U);
+
+  const auto dead = registrar().place();
+  pressOnFloor(Qt::Key_Delete);
+  scan("04000004");
+  const auto last = registrar().place();
+  scan("040000FF");  // a slip
+  pressOnFloor(Qt::Key_Backspace);
+  EXPECT_EQ(registrar().place(), last);
+  scan("04000005");
+  for (int n = 6; n <= 15; ++n) scan("0400000" + std::string(1, "0123456789ABCDEF"[n]));
+  EXPECT_EQ(said("scanTitle"), "All done");
+  QTest::mouseClick(find("scanSkipped"), Qt::LeftButton);
+  EXPECT_EQ(registrar().place(), dead);
+  scan("04000010");
+
+  std::size_t found = 0;
+  for (const auto& tile : window->document().site().tiles)
+    for (const auto& uid : tile.uids) found += window->document().map()->find(uid).has_value() ? 1 : 0;
+  EXPECT_EQ(found, 16U);
+  const auto done = window->document().site();
+  trigger("undo");
+  EXPECT_NE(window->document().site(), done);
+  trigger("redo");
+  EXPECT_EQ(window->document().site(), done);
+}
+
+TEST_F(Registering, bringsTheNextPlaceIntoViewAndLeavesByEscape) {
+  ASSERT_NO_FATAL_FAILURE(start());
+  for (int n = 1; n <= 9; ++n) {
+    scan("0400000" + std::to_string(n));
+    const QPointF at = window->canvas().view().toPixel(*registrar().point());
+    EXPECT_TRUE(window->canvas().rect().contains(at.toPoint()));
+    EXPECT_GE(window->canvas().view().scale(), 150.0);
+  }
+  window->canvas().setFocus();
+  pressOnFloor(Qt::Key_Escape);
+  EXPECT_EQ(registrar().state(), ui::Registrar::State::Idle);
+  EXPECT_FALSE(find<QAction>("registerTags")->isChecked());
+}
+
+TEST_F(Registering, takesTheReaderUpAgainWhenItWasUnplugged) {
+  ASSERT_NO_FATAL_FAILURE(start());
+  scan("04000001");
+  reader.reset();
+  ASSERT_TRUE(until([&] { return registrar().contact() == Contact::Lost; }));
+  EXPECT_TRUE(said("scanNotice").contains(QString::fromStdString(port()))) << said("scanNotice").toStdString();
+  plugIn();
+  ASSERT_TRUE(until([&] { return registrar().contact() == Contact::Open; }));
+  scan("04000002");
+}
+
+TEST_F(Registering, goesOnAtTheSameTagAfterTheProgramDied) {
+  ASSERT_NO_FATAL_FAILURE(start());
+  scan("04000001");
+  pressOnFloor(Qt::Key_Delete);
+  scan("04000002");
+  const auto place = registrar().place();
+  const auto site = window->document().site();
+  ASSERT_TRUE(until([&] {
+    const auto kept = window->keeper().unsaved(path());
+    return kept != nullptr && kept->site() == site;
+  }));
+  killWindow();
+
+  answerQuestion("recoverQuestion", "Take them up");
+  ASSERT_NO_FATAL_FAILURE(openWindow());
+  ASSERT_EQ(window->document().site(), site);
+  trigger("registerTags");
+  auto* goOn = find<QPushButton>("goOnScanning");
+  ASSERT_TRUE(until([&] { return goOn->isVisible() && goOn->isEnabled(); }));
+  QTest::mouseClick(goOn, Qt::LeftButton);
+  EXPECT_EQ(registrar().place(), place);
+  EXPECT_EQ(registrar().registration()->progress().skipped, 1U);
+  ASSERT_TRUE(until([&] { return registrar().contact() == Contact::Open; })) << "the reader is remembered as well";
+  scan("04000003");
+}
+
+}  // namespace
+}  // namespace tessera::desktop

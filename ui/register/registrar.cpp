@@ -1,0 +1,194 @@
+#include "ui/register/registrar.h"
+
+#include <QApplication>
+
+#include "ui/base/wording.h"
+
+namespace tessera::ui {
+namespace {
+
+constexpr int kAskMs = 100;
+constexpr int kBetweenBeepsMs = 180;
+
+}  // namespace
+
+Registrar::Registrar(SiteDocument& document, ScanBench& bench, RegisterMemory& memory, QObject* parent)
+    : QObject{parent}, document_{document}, bench_{bench}, memory_{memory}, edits_{document} {
+  clock_.start();
+  asking_.setInterval(kAskMs);
+  connectReader();
+  connect(&document_, &SiteDocument::changed, this, &Registrar::documentChanged);
+  // Another site's places are none of this one's; how far this one came was kept at each step.
+  connect(&document_, &SiteDocument::replaced, this, &Registrar::end);
+}
+
+void Registrar::connectReader() {
+  connect(&bench_, &ScanBench::opened, this, [this] {
+    if (state_ == State::Idle) return;
+    ears_.reset();
+    contact_ = Contact::Open;
+    Q_EMIT found();
+    Q_EMIT changed();
+  });
+  connect(&bench_, &ScanBench::lost, this, [this](const QString& sentence) {
+    if (state_ == State::Idle) return;
+    contact_ = Contact::Lost;
+    Q_EMIT lost(sentence);
+    Q_EMIT changed();
+  });
+  connect(&bench_, &ScanBench::received, this, [this](const QByteArray& bytes) {
+    const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.constData());
+    for (const scan::Heard& heard : ears_.hear({data, static_cast<std::size_t>(bytes.size())})) take(heard);
+  });
+  connect(&asking_, &QTimer::timeout, this, [this] {
+    const auto question = ears_.question();
+    if (contact_ == Contact::Open && state_ == State::Scanning && !question.empty())
+      bench_.send({reinterpret_cast<const char*>(question.data()), static_cast<qsizetype>(question.size())});
+  });
+  connect(&keys_, &KeyboardReader::typed, this, [this](const QString& line) {
+    // A read into a dialogue is held back from its fields and means nothing.
+    if (QApplication::activeModalWidget() == nullptr) take(ears_.line(line.toStdString()));
+  });
+}
+
+void Registrar::start(const scan::Course& course, const ReaderChoice& reader) {
+  choice_ = reader;
+  memory_.setReader(reader);
+  ears_ = scan::Reader{reader.keyboard && reader.form == scan::ReaderForm::Module ? scan::ReaderForm::HexLines
+                                                                                  : reader.form};
+  kept_.reset();
+  registration_.emplace(document_.map(), course);
+  state_ = State::Scanning;
+  contact_ = reader.keyboard ? Contact::Keyboard : Contact::Opening;
+  keys_.setListening(reader.keyboard);
+  keep();
+  Q_EMIT changed();
+  if (reader.keyboard) return;
+  asking_.start();
+  bench_.open(reader.port, reader.baud);
+}
+
+void Registrar::end() {
+  if (state_ == State::Idle) return;
+  state_ = State::Idle;
+  keys_.setListening(false);
+  asking_.stop();
+  bench_.close();
+  registration_.reset();
+  Q_EMIT changed();
+}
+
+std::optional<scan::PlaceName> Registrar::place() const {
+  if (!registration_ || registration_->stop() == nullptr) return std::nullopt;
+  return scan::nameOf(registration_->site(), *registration_->stop());
+}
+
+std::optional<Point> Registrar::point() const {
+  if (!registration_ || registration_->stop() == nullptr) return std::nullopt;
+  return registration_->stop()->place;
+}
+
+void Registrar::take(const scan::Heard& heard) {
+  if (state_ != State::Scanning || !registration_) return;
+  if (const auto* sentence = std::get_if<Sentence>(&heard)) return refuse({text(*sentence), {}, false});
+  using Verdict = scan::Answer::Verdict;
+  const auto& read = std::get<scan::TagRead>(heard);
+  const scan::Answer answer = registration_->offer(read, now());
+  switch (answer.verdict) {
+    case Verdict::Repeated:
+      return;
+    case Verdict::Accepted:
+    case Verdict::Confirmed:
+      return accept(read.uid);
+    case Verdict::InUse:
+    case Verdict::Elsewhere:
+    case Verdict::Finished:
+      return refuse({text(answer.sentence), answer.where, answer.verdict == Verdict::Elsewhere});
+  }
+}
+
+void Registrar::accept(const floor::TagUid& uid) {
+  editing_ = true;
+  const auto done = edits_.put(*place(), uid);
+  editing_ = false;
+  if (!done) return refuse({text(done.error().sentence), {}, false});
+  registration_->registered(document_.map(), uid, now());
+  keep();
+  sound(1);
+  Q_EMIT accepted(uid);
+  Q_EMIT changed();
+}
+
+void Registrar::refuse(Refusal refusal) {
+  sound(2);
+  Q_EMIT refused(refusal);
+}
+
+void Registrar::sound(int times) const {
+  if (!choice_.sounds) return;
+  QApplication::beep();
+  if (times > 1) QTimer::singleShot(kBetweenBeepsMs, &QApplication::beep);
+}
+
+void Registrar::documentChanged() {
+  if (editing_ || !registration_) return;
+  registration_->siteChanged(document_.map());
+  moved();
+}
+
+void Registrar::keep() {
+  // A floor with nothing left to do needs no way back to it.
+  const auto progress = registration_->progress();
+  const bool done = registration_->stop() == nullptr && progress.skipped == 0;
+  const auto course = done ? std::nullopt : std::optional{registration_->course()};
+  if (!done && course == kept_) return;
+  kept_ = course;
+  memory_.keep(course);
+}
+
+void Registrar::moved() {
+  keep();
+  Q_EMIT changed();
+}
+
+void Registrar::setPaused(bool paused) {
+  if (state_ == State::Idle) return;
+  state_ = paused ? State::Paused : State::Scanning;
+  registration_->pause();
+  Q_EMIT changed();
+}
+
+void Registrar::back() {
+  if (!registration_) return;
+  const auto step = registration_->back();
+  if (step && step->wasRegistered)
+    if (const auto done = edits_.takeBack(step->place, step->before); !done)
+      Q_EMIT refused({text(done.error().sentence), {}, false});
+  moved();
+}
+
+void Registrar::skip() {
+  if (!registration_) return;
+  registration_->skip();
+  moved();
+}
+
+void Registrar::next() {
+  if (registration_ && registration_->next()) moved();
+}
+
+void Registrar::previous() {
+  if (registration_ && registration_->previous()) moved();
+}
+
+void Registrar::goTo(const scan::PlaceName& place) {
+  if (registration_ && registration_->goTo(place)) moved();
+}
+
+void Registrar::takeUpSkipped() {
+  if (!registration_) return;
+  registration_->takeUpSkipped();
+  moved();
+}
+
+}  // namespace tessera::ui

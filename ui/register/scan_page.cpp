@@ -1,0 +1,238 @@
+#include "ui/register/scan_page.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QLocale>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/base/icon.h"
+
+namespace tessera::ui {
+
+ScanPage::ScanPage(Registrar& registrar, QWidget* parent) : QWidget{parent}, registrar_{registrar} {
+  setObjectName(QStringLiteral("scanPage"));
+  setFocusPolicy(Qt::StrongFocus);
+  build();
+  connect(&registrar_, &Registrar::changed, this, &ScanPage::refresh);
+  connect(&registrar_, &Registrar::accepted, this, &ScanPage::showAccepted);
+  connect(&registrar_, &Registrar::refused, this, &ScanPage::showRefused);
+  connect(&registrar_, &Registrar::lost, this, [this](const QString& sentence) {
+    forgetRefusal();
+    notice_.show(Notice::Tone::Error, sentence);
+  });
+  connect(&registrar_, &Registrar::found, this, [this] {
+    forgetRefusal();
+    notice_.clear();
+  });
+  connect(&where_, &QPushButton::clicked, this, [this] {
+    if (!refusal_ || !refusal_->where) return;
+    const Registrar::Refusal refusal = *refusal_;
+    if (!refusal.belongsThere) return Q_EMIT showRequested(*refusal.where);
+    forgetRefusal();
+    notice_.clear();
+    registrar_.goTo(*refusal.where);
+  });
+  connect(&back_, &QPushButton::clicked, &registrar_, &Registrar::back);
+  connect(&skip_, &QPushButton::clicked, &registrar_, &Registrar::skip);
+  connect(&pause_, &QPushButton::clicked, this,
+          [this] { registrar_.setPaused(registrar_.state() == Registrar::State::Scanning); });
+  connect(&end_, &QPushButton::clicked, &registrar_, &Registrar::end);
+  connect(&skipped_, &QPushButton::clicked, &registrar_, &Registrar::takeUpSkipped);
+  connect(&previous_, &QToolButton::clicked, &registrar_, &Registrar::previous);
+  connect(&next_, &QToolButton::clicked, &registrar_, &Registrar::next);
+  retranslate();
+}
+
+void ScanPage::build() {
+  QFont large = title_.font();
+  large.setPointSizeF(large.pointSizeF() * 1.6);
+  large.setBold(true);
+  title_.setFont(large);
+  for (QLabel* label : {&title_, &detail_, &contact_, &count_}) label->setWordWrap(true);
+  const std::pair<QObject*, const char*> names[] = {
+      {&title_, "scanTitle"},       {&detail_, "scanDetail"}, {&contact_, "scanContact"}, {&count_, "scanCount"},
+      {&notice_, "scanNotice"},     {&where_, "scanWhere"},   {&bar_, "scanProgress"},    {&back_, "scanBack"},
+      {&skip_, "scanSkip"},         {&pause_, "scanPause"},   {&end_, "scanEnd"},         {&skipped_, "scanSkipped"},
+      {&previous_, "scanPrevious"}, {&next_, "scanNext"}};
+  for (const auto& [object, name] : names) object->setObjectName(QString::fromLatin1(name));
+  back_.setIcon(icon(QStringLiteral("undo")));
+  skip_.setIcon(icon(QStringLiteral("to-end")));
+  end_.setIcon(icon(QStringLiteral("close")));
+  where_.setIcon(icon(QStringLiteral("place")));
+  previous_.setIcon(icon(QStringLiteral("arrow-left")));
+  next_.setIcon(icon(QStringLiteral("arrow-right")));
+  bar_.setTextVisible(false);
+  // A reader's Enter must press none of them.
+  for (QAbstractButton* button :
+       std::initializer_list<QAbstractButton*>{&where_, &back_, &skip_, &pause_, &end_, &skipped_, &previous_, &next_})
+    button->setFocusPolicy(Qt::TabFocus);
+
+  auto* head = new QHBoxLayout;
+  head->addWidget(&title_, 1);
+  head->addWidget(&previous_);
+  head->addWidget(&next_);
+  auto* buttons = new QGridLayout;
+  buttons->addWidget(&back_, 0, 0);
+  buttons->addWidget(&skip_, 0, 1);
+  buttons->addWidget(&pause_, 1, 0);
+  buttons->addWidget(&end_, 1, 1);
+  auto* column = new QVBoxLayout{this};
+  column->addLayout(head);
+  column->addWidget(&detail_);
+  column->addWidget(&picture_, 1);
+  column->addWidget(&notice_);
+  column->addWidget(&where_);
+  column->addWidget(&skipped_);
+  column->addWidget(&bar_);
+  column->addWidget(&count_);
+  column->addWidget(&contact_);
+  column->addLayout(buttons);
+  where_.hide();
+  skipped_.hide();
+}
+
+void ScanPage::refresh() {
+  const auto& registration = registrar_.registration();
+  if (!registration) return;
+  const auto place = registrar_.place();
+  const bool paused = registrar_.state() == Registrar::State::Paused;
+  pause_.setText(paused ? tr("Go on") : tr("Pause"));
+  pause_.setIcon(icon(paused ? QStringLiteral("resume") : QStringLiteral("pause")));
+  skip_.setEnabled(place.has_value());
+  next_.setEnabled(place.has_value());
+  skipped_.setVisible(!place && registration->progress().skipped > 0);
+  picture_.setVisible(place.has_value());
+  showContact();
+  showProgress();
+  if (!place) {
+    title_.setText(tr("All done"));
+    detail_.setText(registration->walk().empty() ? tr("There is no place for a tag here.")
+                                                 : tr("Every place is registered or skipped."));
+    picture_.clear();
+    return;
+  }
+  const floor::Site& site = registration->site();
+  const floor::Tile& tile = *tileOf(site, place->serial);
+  const auto type = std::find_if(site.tileTypes.begin(), site.tileTypes.end(),
+                                 [&](const floor::TileType& t) { return t.name == tile.type; });
+  const auto laid = std::find_if(site.placements.begin(), site.placements.end(),
+                                 [&](const floor::Placement& p) { return p.serial == place->serial; });
+  title_.setText(tr("Tile %1").arg(QString::fromStdString(place->serial)));
+  QString detail = tr("Tag %1 of %2").arg(place->tag + 1).arg(tagOffsets(*type).size());
+  const floor::TagUid there = scan::uidAt(site, *registration->stop());
+  if (!there.empty()) detail = tr("%1: %2 until another is read").arg(detail, QString::fromStdString(there.text()));
+  if (paused) detail = tr("%1 – paused, reads do not count").arg(detail);
+  detail_.setText(detail);
+  picture_.setTile(*type, tile, laid == site.placements.end() ? 0 : laid->quarterTurns, place->tag);
+}
+
+void ScanPage::showProgress() {
+  const auto p = registrar_.registration()->progress();
+  const QLocale locale;
+  bar_.setMaximum(static_cast<int>(std::max<std::size_t>(1, p.places)));
+  bar_.setValue(static_cast<int>(p.registered));
+  QString text = tr("%1 of %2 registered")
+                     .arg(locale.toString(static_cast<qulonglong>(p.registered)),
+                          locale.toString(static_cast<qulonglong>(p.places)));
+  if (p.skipped > 0) text = tr("%1, %2 skipped").arg(text, locale.toString(static_cast<qulonglong>(p.skipped)));
+  if (p.perTag && p.timeLeft && *p.perTag > Seconds{}) {
+    const double perMinute = std::round(60.0 / p.perTag->value());
+    const double minutes = std::ceil(p.timeLeft->value() / 60.0);
+    text = tr("%1. %2 a minute, about %3 min left")
+               .arg(text, locale.toString(perMinute, 'f', 0), locale.toString(minutes, 'f', 0));
+  }
+  count_.setText(text);
+}
+
+void ScanPage::showContact() {
+  switch (registrar_.contact()) {
+    case Registrar::Contact::Keyboard:
+      contact_.setText(tr("Reader: types like a keyboard"));
+      break;
+    case Registrar::Contact::Opening:
+      contact_.setText(tr("Reader: %1 is being opened…").arg(registrar_.reader().port));
+      break;
+    case Registrar::Contact::Open:
+      contact_.setText(tr("Reader: at %1").arg(registrar_.reader().port));
+      break;
+    case Registrar::Contact::Lost:
+      contact_.setText(tr("Reader: waiting for %1").arg(registrar_.reader().port));
+      break;
+  }
+}
+
+void ScanPage::forgetRefusal() {
+  refusal_.reset();
+  where_.hide();
+}
+
+void ScanPage::showAccepted(const floor::TagUid& uid) {
+  forgetRefusal();
+  notice_.show(Notice::Tone::Good, tr("Registered: %1").arg(QString::fromStdString(uid.text())));
+  picture_.flash(TilePicture::Flash::Good);
+}
+
+void ScanPage::showRefused(const Registrar::Refusal& refusal) {
+  refusal_ = refusal;
+  where_.setText(refusal.belongsThere ? tr("Go on there") : tr("Show it"));
+  where_.setVisible(refusal.where.has_value());
+  notice_.show(Notice::Tone::Error, refusal.sentence);
+  picture_.flash(TilePicture::Flash::Bad);
+}
+
+bool ScanPage::wantsKey(const QKeyEvent& key) {
+  if ((key.modifiers() & ~Qt::KeypadModifier) != Qt::NoModifier) return false;
+  return key.key() == Qt::Key_Backspace || key.key() == Qt::Key_Delete || key.key() == Qt::Key_PageUp ||
+         key.key() == Qt::Key_PageDown || key.key() == Qt::Key_Pause;
+}
+
+bool ScanPage::takeKey(const QKeyEvent& key) {
+  if (!wantsKey(key) || registrar_.state() == Registrar::State::Idle) return false;
+  switch (key.key()) {
+    case Qt::Key_Backspace:
+      registrar_.back();
+      break;
+    case Qt::Key_Delete:
+      registrar_.skip();
+      break;
+    case Qt::Key_PageUp:
+      registrar_.previous();
+      break;
+    case Qt::Key_PageDown:
+      registrar_.next();
+      break;
+    default:
+      pause_.click();
+  }
+  return true;
+}
+
+void ScanPage::keyPressEvent(QKeyEvent* event) {
+  if (!takeKey(*event)) QWidget::keyPressEvent(event);
+}
+
+void ScanPage::retranslate() {
+  back_.setText(tr("One back"));
+  back_.setToolTip(tr("Take the last tag back (Backspace)"));
+  skip_.setText(tr("Skip"));
+  skip_.setToolTip(tr("This tag is dead or missing (Del)"));
+  end_.setText(tr("Stop"));
+  end_.setToolTip(tr("To go on another time"));
+  skipped_.setText(tr("Visit the skipped places"));
+  pause_.setToolTip(tr("Reads do not count meanwhile (Pause)"));
+  previous_.setAccessibleName(tr("Previous place"));
+  previous_.setToolTip(tr("Previous place (Page Up)"));
+  next_.setAccessibleName(tr("Next place"));
+  next_.setToolTip(tr("Next place (Page Down)"));
+  refresh();
+}
+
+void ScanPage::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) retranslate();
+  QWidget::changeEvent(event);
+}
+
+}  // namespace tessera::ui

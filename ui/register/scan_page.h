@@ -1,0 +1,54 @@
+// While registering: where to hold the reader, what became of the last read, how far it is.
+#pragma once
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "ui/base/notice.h"
+#include "ui/register/registrar.h"
+#include "ui/register/tile_picture.h"
+
+namespace tessera::ui {
+
+class ScanPage : public QWidget {
+  Q_OBJECT
+public:
+  explicit ScanPage(Registrar& registrar, QWidget* parent = nullptr);
+
+  /// Whether this key is one of the page's, done then.
+  bool takeKey(const QKeyEvent& key);
+  [[nodiscard]] static bool wantsKey(const QKeyEvent& key);
+  [[nodiscard]] TilePicture& picture() { return picture_; }
+
+Q_SIGNALS:
+  /// Show this place on the floor, and leave the walk where it is.
+  void showRequested(const tessera::scan::PlaceName& place);
+
+protected:
+  void changeEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+private:
+  void build();
+  void retranslate();
+  void refresh();
+  void showProgress();
+  void showContact();
+  void showAccepted(const floor::TagUid& uid);
+  void showRefused(const Registrar::Refusal& refusal);
+  void forgetRefusal();
+
+  Registrar& registrar_;
+  QLabel title_, detail_, contact_, count_;
+  TilePicture picture_;
+  Notice notice_;
+  QPushButton where_;
+  QProgressBar bar_;
+  QPushButton back_, skip_, pause_, end_, skipped_;
+  QToolButton previous_, next_;
+  std::optional<Registrar::Refusal> refusal_;
+};
+
+}  // namespace tessera::ui
