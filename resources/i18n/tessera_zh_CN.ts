@@ -1671,6 +1671,18 @@
         <source>The reader&apos;s port %1 cannot be used: %2. It is taken up as soon as it is there.</source>
         <translation>读卡器的串口 %1 无法使用：%2。一旦可用会自动恢复。</translation>
     </message>
+    <message>
+        <source>Tile &quot;%1&quot; lies turned by %2° against the site.</source>
+        <translation>与场地相比，地板砖“%1”转了 %2°。</translation>
+    </message>
+    <message>
+        <source>Tiles &quot;%1&quot; and &quot;%2&quot; lie at each other&apos;s places.</source>
+        <translation>地板砖“%1”和“%2”的位置对调了。</translation>
+    </message>
+    <message>
+        <source>%1 tiles lie at one another&apos;s places, &quot;%2&quot; at that of &quot;%3&quot;.</source>
+        <translation>%1 块地板砖的位置互相错开，“%2”在“%3”的位置上。</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>

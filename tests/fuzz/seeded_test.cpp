@@ -99,5 +99,12 @@ TEST(SeededFuzz, layoutsDoNoHarm) {
   for (int i = 0; i < 10'000; ++i) lif(mutator.changed(seeds));
 }
 
+TEST(SeededFuzz, bytesFromATagReaderDoNoHarm) {
+  const auto seeds = readerSeeds();
+  for (const Input& seed : seeds) reader(seed);
+  Mutator mutator{5};
+  for (int i = 0; i < 50'000; ++i) reader(mutator.changed(seeds));
+}
+
 }  // namespace
 }  // namespace tessera::fuzz

@@ -21,12 +21,15 @@ void site(std::span<const std::uint8_t> input);
 void csv(std::span<const std::uint8_t> input);
 /// A LIF layout.
 void lif(std::span<const std::uint8_t> input);
+/// Bytes from a tag reader, taken for each kind of reader.
+void reader(std::span<const std::uint8_t> input);
 
 /// Inputs to begin with: good ones of every kind.
 [[nodiscard]] std::vector<Input> wireSeeds();
 [[nodiscard]] std::vector<Input> siteSeeds(const std::string& folderOfSites);
 [[nodiscard]] std::vector<Input> csvSeeds();
 [[nodiscard]] std::vector<Input> lifSeeds();
+[[nodiscard]] std::vector<Input> readerSeeds();
 
 /// Not assert(): it must hold in optimised builds as well.
 inline void require(bool promise, const char* what) {
