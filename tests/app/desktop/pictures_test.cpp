@@ -8,9 +8,13 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QScrollArea>
+#include <array>
 
 #include "app/desktop/desktop_fixture.h"
+#include "app/tessera/register_desk.h"
 #include "app/tessera/site_files.h"
+#include "floor/new_floor.h"
+#include "floor/site_json.h"
 #include "ui/canvas/floor_canvas.h"
 #include "ui/commission/commission_wizard.h"
 #include "ui/connect/connect_dialog.h"
@@ -136,6 +140,32 @@ TEST_F(Pictures, showTheRouteToolWhole) {
     QTest::mouseMove(&window->canvas(), pixelOf(1.2, 1.2));
     take(*window, QStringLiteral("route"), dress);
     QTest::keyClick(&window->canvas(), Qt::Key_Escape);
+  }
+}
+
+TEST_F(Pictures, showRegisteringWhole) {
+  const QString path = home.filePath("hall.tessera.json");
+  const auto site = floor::layNewFloor({"hall", floor::usualTileTypes().front(), 4, 3, false}).value();
+  ASSERT_TRUE(floor::saveSite(site, path.toStdString()));
+  ASSERT_NO_FATAL_FAILURE(openWindow(false));
+  ASSERT_TRUE(window->files().open(path));
+  auto& registrar = window->registerDesk().registrar();
+  const auto read = [&](unsigned n) {
+    const std::array<std::uint8_t, 4> bytes{4, 0, 0, static_cast<std::uint8_t>(n)};
+    registrar.take(scan::TagRead{floor::TagUid::fromBytes(bytes).value(), std::nullopt});
+  };
+  for (const Dress& dress : kDresses) {
+    wear(dress);
+    trigger("registerTags");
+    take(*window, QStringLiteral("register-setup"), dress);
+    registrar.start({}, {true, {}, 9600, scan::ReaderForm::HexLines, false});
+    for (unsigned n = 1; n <= 11; ++n) read(n);
+    registrar.skip();
+    take(*window, QStringLiteral("register"), dress);
+    read(3);
+    take(*window, QStringLiteral("register-refused"), dress);
+    registrar.end();
+    window->document().undoStack().setIndex(0);
   }
 }
 
