@@ -8,7 +8,7 @@
 
 namespace tessera::desktop {
 
-class ScanWorkbench : public ui::ScanBench {
+class ScanWorkbench final : public ui::ScanBench {
   Q_OBJECT
 public:
   using ScanBench::ScanBench;

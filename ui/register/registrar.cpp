@@ -16,6 +16,9 @@ Registrar::Registrar(SiteDocument& document, ScanBench& bench, RegisterMemory& m
     : QObject{parent}, document_{document}, bench_{bench}, memory_{memory}, edits_{document} {
   clock_.start();
   asking_.setInterval(kAskMs);
+  secondBeep_.setInterval(kBetweenBeepsMs);
+  secondBeep_.setSingleShot(true);
+  connect(&secondBeep_, &QTimer::timeout, this, [] { QApplication::beep(); });
   connectReader();
   connect(&document_, &SiteDocument::changed, this, &Registrar::documentChanged);
   // Another site's places are none of this one's; how far this one came was kept at each step.
@@ -124,10 +127,10 @@ void Registrar::refuse(Refusal refusal) {
   Q_EMIT refused(refusal);
 }
 
-void Registrar::sound(int times) const {
+void Registrar::sound(int times) {
   if (!choice_.sounds) return;
   QApplication::beep();
-  if (times > 1) QTimer::singleShot(kBetweenBeepsMs, &QApplication::beep);
+  if (times > 1) secondBeep_.start();
 }
 
 void Registrar::documentChanged() {

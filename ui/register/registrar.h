@@ -70,7 +70,7 @@ private:
   void documentChanged();
   void keep();
   void moved();
-  void sound(int times) const;
+  void sound(int times);
   [[nodiscard]] Seconds now() const { return Seconds{static_cast<double>(clock_.elapsed()) / 1000.0}; }
 
   SiteDocument& document_;
@@ -86,6 +86,7 @@ private:
   std::optional<scan::Course> kept_;
   QElapsedTimer clock_;
   QTimer asking_;
+  QTimer secondBeep_;
   bool editing_ = false;  ///< the document changes by our own hand
 };
 
