@@ -2,6 +2,7 @@
 include(CTest)
 include(GoogleTest)
 
+option(TESSERA_BENCHMARKS "Build the benchmarks" ON)
 option(TESSERA_WITH_QT "Build what needs Qt: serial port, charts, command line" ON)
 
 set(CMAKE_CXX_STANDARD 20)
