@@ -26,6 +26,7 @@
 #include "ui/fleet/stop_all.h"
 #include "ui/help/help_topic.h"
 #include "ui/help/help_window.h"
+#include "ui/lay/lay_tool.h"
 #include "ui/route/route_tool.h"
 
 namespace tessera::desktop {
@@ -38,7 +39,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow{parent} {
   keeper_ = new Keeper{document_, *session_, this};
   actions_ = new WindowActions{*this, document_.undoStack()};
   buildCentre();
-  panels_ = new WindowPanels{*this, *session_, selection_, document_};
+  panels_ = new WindowPanels{*this, *session_, selection_, document_, *layTool_};
   actions_->addOrders(*this, panels_->run->actions());
   // In the menu bar's corner: a tool bar hides what it has no room for.
   menuBar()->setNativeMenuBar(false);
@@ -51,6 +52,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow{parent} {
   joinActions();
   joinRegister();
   joinPanels();
+  joinTiles();
   retranslate();
   showSite();
   showFleetState();
@@ -66,6 +68,7 @@ MainWindow::~MainWindow() {
   canvas_->setTool(nullptr);
   routeTool_.reset();
   for (QDockWidget* dock : panels_->docks()) delete dock;
+  layTool_.reset();  // its panel looked at it
   delete takeCentralWidget();
   delete files_;
   delete actions_;
@@ -88,6 +91,7 @@ void MainWindow::buildCentre() {
   centre_->addWidget(canvas_);
   setCentralWidget(centre_);
   routeTool_ = std::make_unique<ui::RouteTool>(document_, selection_, this);
+  layTool_ = std::make_unique<ui::LayTool>(document_, this);
 }
 
 void MainWindow::buildStatusBar() {

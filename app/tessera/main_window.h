@@ -21,6 +21,7 @@ namespace tessera::ui {
 class CanvasTool;
 class FloorCanvas;
 class HelpWindow;
+class LayTool;
 class RouteTool;
 class StartPage;
 class StopAllButton;
@@ -81,6 +82,9 @@ private:
   void useTool(ui::CanvasTool* tool);
   void drawRoute();
   void joinRegister();
+  void layTiles();
+  void editTileTypes();
+  void joinTiles();
   void showTool();
   [[nodiscard]] std::optional<ui::ConnectionChoice> chooseConnection();
   void askConnection();
@@ -105,6 +109,7 @@ private:
   ui::FloorCanvas* canvas_;
   std::unique_ptr<ui::RouteTool> routeTool_;
   std::unique_ptr<RegisterDesk> register_;
+  std::unique_ptr<ui::LayTool> layTool_;
   WindowPanels* panels_;
   ui::StopAllButton* stopAll_;
   ui::StopAllKey* stopAllKey_;

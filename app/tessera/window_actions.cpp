@@ -53,6 +53,8 @@ void WindowActions::makeAll() {
   editRoutes = make("editRoutes", "select", QKeySequence{Qt::CTRL | Qt::Key_E}, true);
   drawRoute = make("drawRoute", "route", QKeySequence{Qt::CTRL | Qt::Key_R}, true);
   registerTags = make("registerTags", "tag", QKeySequence{Qt::CTRL | Qt::Key_T}, true);
+  layTiles = make("layTiles", "tile", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_T}, true);
+  tileTypes = make("tileTypes", "grid");
   connectPort = make("connect", "connect", QKeySequence{Qt::CTRL | Qt::Key_K});
   disconnectPort = make("disconnect", "disconnect");
   radio = make("radio", "radio");
@@ -77,9 +79,9 @@ void WindowActions::fillMenus(QMainWindow& window) {
   edit_ = bar->addMenu(QString{});
   edit_->addActions({undo, redo});
   edit_->addSeparator();
-  edit_->addActions({browse, editRoutes, drawRoute});
+  edit_->addActions({browse, editRoutes, drawRoute, layTiles});
   edit_->addSeparator();
-  edit_->addAction(registerTags);
+  edit_->addActions({tileTypes, registerTags});
   view_ = bar->addMenu(QString{});
   view_->addActions({zoomIn, zoomOut, fit, follow});
   view_->addSeparator();
@@ -122,7 +124,7 @@ void WindowActions::fillToolBar(QMainWindow& window) {
   toolBar_->addSeparator();
   toolBar_->addActions({undo, redo});
   toolBar_->addSeparator();
-  toolBar_->addActions({browse, editRoutes, drawRoute});
+  toolBar_->addActions({browse, editRoutes, drawRoute, layTiles});
   toolBar_->addSeparator();
   toolBar_->addActions({zoomIn, zoomOut, fit, follow});
   toolBar_->addSeparator();

@@ -24,7 +24,7 @@ public:
   QAction *demo, *newSite, *open, *save, *saveAs, *rename, *quit;
   QAction *undo, *redo;
   QAction *zoomIn, *zoomOut, *fit, *follow, *tags, *zones, *trails, *uncertainty, *grid;
-  QAction *drawRoute, *editRoutes, *browse;
+  QAction *drawRoute, *editRoutes, *layTiles, *tileTypes, *browse;
   QAction* registerTags;
   QAction *connectPort, *disconnectPort, *radio;
   QAction *commission, *editVehicle, *jog, *stopAll;

@@ -30,6 +30,7 @@
 #include "ui/fleet/run_panel.h"
 #include "ui/fleet/vehicle_table.h"
 #include "ui/help/about_dialog.h"
+#include "ui/lay/lay_tool.h"
 #include "ui/route/route_panel.h"
 #include "ui/route/route_tool.h"
 
@@ -199,10 +200,10 @@ void MainWindow::joinPanels() {
 void MainWindow::showSite() {
   centre_->setCurrentIndex(open_ ? centre_->indexOf(canvas_) : 0);
   panels_->setShown(open_);
-  for (QAction* action :
-       {actions_->save, actions_->saveAs, actions_->rename, actions_->zoomIn, actions_->zoomOut, actions_->fit,
-        actions_->follow, actions_->browse, actions_->editRoutes, actions_->drawRoute, actions_->registerTags,
-        actions_->connectPort, actions_->radio, actions_->commission, actions_->jog})
+  for (QAction* action : {actions_->save, actions_->saveAs, actions_->rename, actions_->zoomIn, actions_->zoomOut,
+                          actions_->fit, actions_->follow, actions_->browse, actions_->editRoutes, actions_->drawRoute,
+                          actions_->layTiles, actions_->tileTypes, actions_->registerTags, actions_->connectPort,
+                          actions_->radio, actions_->commission, actions_->jog})
     action->setEnabled(open_);
   actions_->editVehicle->setEnabled(open_ && selection_.vehicle().has_value());
   setWindowFilePath(document_.path());
@@ -275,9 +276,10 @@ void MainWindow::showTool() {
   const bool drawing = routes && routeTool_->isDrawing();
   actions_->browse->setChecked(canvas_->tool() == nullptr);
   actions_->registerTags->setChecked(register_ && canvas_->tool() == &register_->tool());
+  actions_->layTiles->setChecked(canvas_->tool() == layTool_.get());
   actions_->editRoutes->setChecked(routes && !drawing);
   actions_->drawRoute->setChecked(drawing);
-  actions_->allowSteps(drawing && !routeTool_->draft().empty());
+  actions_->allowSteps((drawing && !routeTool_->draft().empty()) || layTool_->isPasting());
 }
 
 void MainWindow::openDemo() {

@@ -8,16 +8,18 @@
 #include "ui/fleet/event_panel.h"
 #include "ui/fleet/run_panel.h"
 #include "ui/fleet/vehicle_table.h"
+#include "ui/lay/tile_panel.h"
 #include "ui/route/route_panel.h"
 
 namespace tessera::desktop {
 
 WindowPanels::WindowPanels(QMainWindow& window, ui::FleetLink& fleet, ui::Selection& selection,
-                           ui::SiteDocument& document)
+                           ui::SiteDocument& document, ui::LayTool& layTool)
     : QObject{&window} {
   vehicles = new ui::VehicleTable{fleet, selection, document};
   run = new ui::RunPanel{fleet, selection, document};
   routes = new ui::RoutePanel{document, selection};
+  tiles = new ui::TilePanel{document, layTool};
   charts = new ui::LiveCharts{fleet, selection, document};
   events = new ui::EventPanel{fleet, selection, document};
   window.setDockNestingEnabled(true);
@@ -29,7 +31,11 @@ WindowPanels::WindowPanels(QMainWindow& window, ui::FleetLink& fleet, ui::Select
   window.tabifyDockWidget(chartDock, eventDock);
   vehicleDock->raise();
   add(window, "runDock", "running", Qt::RightDockWidgetArea, run);
-  add(window, "routesDock", "routes", Qt::RightDockWidgetArea, routes);
+  auto* routesDock = add(window, "routesDock", "routes", Qt::RightDockWidgetArea, routes);
+  // Shown when its tool is taken in hand: who only drives never sees it.
+  auto* tilesDock = add(window, "tilesDock", "tiles", Qt::RightDockWidgetArea, tiles);
+  window.tabifyDockWidget(routesDock, tilesDock);
+  tilesDock->hide();
   retranslate();
 }
 
@@ -68,6 +74,14 @@ void WindowPanels::setShown(bool shown) {
   for (QDockWidget* dock : hidden_) dock->show();
 }
 
+void WindowPanels::bringForward(QWidget* panel) {
+  for (QDockWidget* dock : docks_) {
+    if (dock->widget() != panel) continue;
+    dock->show();
+    dock->raise();
+  }
+}
+
 void WindowPanels::arrange(QMainWindow& window) {
   const int line = window.fontMetrics().height();
   window.resizeDocks({docks_[0]}, {17 * line}, Qt::Vertical);
@@ -76,7 +90,7 @@ void WindowPanels::arrange(QMainWindow& window) {
 }
 
 void WindowPanels::retranslate() {
-  const QStringList titles{tr("Vehicles"), tr("Charts"), tr("What happened"), tr("Drive"), tr("Routes")};
+  const QStringList titles{tr("Vehicles"), tr("Charts"), tr("What happened"), tr("Drive"), tr("Routes"), tr("Tiles")};
   for (std::size_t i = 0; i < static_cast<std::size_t>(titles.size()); ++i)
     docks_[i]->setWindowTitle(titles.at(static_cast<qsizetype>(i)));
 }

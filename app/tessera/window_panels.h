@@ -14,9 +14,11 @@ class QMainWindow;
 
 namespace tessera::ui {
 class EventPanel;
+class LayTool;
 class LiveCharts;
 class RoutePanel;
 class RunPanel;
+class TilePanel;
 class VehicleTable;
 }  // namespace tessera::ui
 
@@ -25,11 +27,13 @@ namespace tessera::desktop {
 class WindowPanels : public QObject {
   Q_OBJECT
 public:
-  WindowPanels(QMainWindow& window, ui::FleetLink& fleet, ui::Selection& selection, ui::SiteDocument& document);
+  WindowPanels(QMainWindow& window, ui::FleetLink& fleet, ui::Selection& selection, ui::SiteDocument& document,
+               ui::LayTool& layTool);
 
   ui::VehicleTable* vehicles;
   ui::RunPanel* run;
   ui::RoutePanel* routes;
+  ui::TilePanel* tiles;
   ui::LiveCharts* charts;
   ui::EventPanel* events;
 
@@ -40,6 +44,8 @@ public:
   /// Shown together with the floor, hidden behind the start page.
   void setShown(bool shown);
   void retranslate();
+  /// A panel that belongs to a tool, in front of those in the same place.
+  void bringForward(QWidget* panel);
   /// Heights and widths of a first start.
   void arrange(QMainWindow& window);
 

@@ -42,6 +42,8 @@ void WindowActions::retranslate() {
   editRoutes->setText(tr("&Change routes"));
   drawRoute->setText(tr("&Draw a route"));
   registerTags->setText(tr("Register &tags…"));
+  layTiles->setText(tr("Lay t&iles"));
+  tileTypes->setText(tr("Tile t&ypes…"));
   connectPort->setText(tr("&Connect…"));
   disconnectPort->setText(tr("&Disconnect"));
   radio->setText(tr("&Radio module of this computer…"));
@@ -60,9 +62,11 @@ void WindowActions::retranslate() {
       tr("Keep the chosen vehicle in view (%1)").arg(follow->shortcut().toString(QKeySequence::NativeText)));
   drawRoute->setToolTip(
       tr("Click the route's vertices on the floor (%1)").arg(drawRoute->shortcut().toString(QKeySequence::NativeText)));
+  layTiles->setToolTip(tr("Lay tiles on the floor, choose and move them (%1)")
+                           .arg(layTiles->shortcut().toString(QKeySequence::NativeText)));
   // Buttons have no letter to press: the menus have, and one letter must not mean two things.
   static const QRegularExpression letter{QStringLiteral("\\(&.\\)|&")};
-  for (QAction* action : {browse, editRoutes, drawRoute, connectPort, disconnectPort})
+  for (QAction* action : {browse, editRoutes, drawRoute, layTiles, connectPort, disconnectPort})
     action->setIconText(QString{action->text()}.remove(letter));
   // What everybody knows by its picture needs no word beside it.
   for (QAction* action : {open, save, undo, redo, zoomIn, zoomOut, fit, follow}) {

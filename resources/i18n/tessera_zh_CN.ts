@@ -2451,6 +2451,18 @@
         <source>Register &amp;tags…</source>
         <translation>登记标签(&amp;T)…</translation>
     </message>
+    <message>
+        <source>Lay t&amp;iles</source>
+        <translation>铺设地板砖(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Tile t&amp;ypes…</source>
+        <translation>地板规格(&amp;Y)…</translation>
+    </message>
+    <message>
+        <source>Lay tiles on the floor, choose and move them (%1)</source>
+        <translation>在地面上铺设、选择和移动地板砖（%1）</translation>
+    </message>
 </context>
 <context>
     <name>tessera::desktop::WindowPanels</name>
@@ -2473,6 +2485,10 @@
     <message>
         <source>Routes</source>
         <translation>路径</translation>
+    </message>
+    <message>
+        <source>Tiles</source>
+        <translation>地板砖</translation>
     </message>
 </context>
 <context>

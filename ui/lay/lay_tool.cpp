@@ -43,6 +43,7 @@ void LayTool::takeUpSite() {
 }
 
 void LayTool::documentChanged() {
+  chosenBoxes_.reset();
   if (edits_.type(brush_) == nullptr) {
     const auto& types = document_.site().tileTypes;
     brush_ = types.empty() ? std::string{} : types.front().name;
@@ -88,6 +89,7 @@ void LayTool::setRule(const floor::SerialRule& rule) {
 void LayTool::choose(TileSet tiles) {
   if (tiles == chosen_) return;
   chosen_ = std::move(tiles);
+  chosenBoxes_.reset();
   ++moves_;
   Q_EMIT chosenChanged();
   touch();

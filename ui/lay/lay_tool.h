@@ -91,7 +91,7 @@ private:
   void takeUpSite();
   void finish(const Result<void>& result);
   void touch();
-  void paintChosen(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme) const;
+  void paintChosen(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme);
   void paintGesture(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme) const;
 
   SiteDocument& document_;
@@ -102,6 +102,7 @@ private:
   int brushTurns_ = 0;
   floor::SerialRule rule_;
   TileSet chosen_;
+  std::optional<std::vector<Box>> chosenBoxes_;  ///< where they lie; nullopt: to be looked up again
   LayGesture gesture_;
   TileStamp copy_;
   std::optional<TileStamp> stamp_;

@@ -11,6 +11,7 @@ namespace tessera::ui {
 namespace {
 
 constexpr double kTooSmall = 3.0;          // pixels of a tile that is no longer drawn on its own
+constexpr double kOutlinedFrom = 14.0;     // pixels of a tile that is marked by an outline
 constexpr double kDotsFrom = 7.0;          // pixels from place to place
 constexpr std::size_t kMostDots = 20'000;  // of a preview, all tiles together
 
@@ -39,6 +40,12 @@ public:
       return;
     }
     const QColor colour = free ? theme_.accent : theme_.fault;
+    if (std::min(pixels.width(), pixels.height()) < kOutlinedFrom) {
+      painter_.setRenderHint(QPainter::Antialiasing, false);
+      painter_.fillRect(pixels, faint(colour, 110));
+      painter_.setRenderHint(QPainter::Antialiasing);
+      return;
+    }
     painter_.setPen(QPen{colour, 1.5});
     painter_.setBrush(faint(colour, 60));
     painter_.drawRect(pixels);
@@ -74,6 +81,40 @@ private:
   std::size_t dots_ = 0;
 };
 
+// Laid tiles that are meant: an outline each, and from afar no more than a colour, which ten thousands of them can have
+// in every frame.
+class TileMarks {
+public:
+  TileMarks(QPainter& painter, const View& view, QColor colour, int alpha)
+      : painter_{painter}, view_{view}, colour_{colour}, fill_{faint(colour, alpha)} {
+    seen_ = QRectF{QPointF{}, view.size()}.adjusted(-10, -10, 10, 10);
+    painter_.setRenderHint(QPainter::Antialiasing, false);
+  }
+  ~TileMarks() {
+    painter_.setRenderHint(QPainter::Antialiasing);
+    painter_.setPen(QPen{colour_, 2.0});
+    painter_.setBrush(Qt::NoBrush);
+    painter_.drawRects(outlined_);
+  }
+  TileMarks(const TileMarks&) = delete;
+  TileMarks& operator=(const TileMarks&) = delete;
+
+  void add(const Box& box) {
+    const QRectF pixels = pixelBox(view_, box);
+    if (!pixels.intersects(seen_)) return;
+    painter_.fillRect(pixels, fill_);
+    if (std::min(pixels.width(), pixels.height()) >= kOutlinedFrom) outlined_.push_back(pixels.adjusted(1, 1, -1, -1));
+  }
+
+private:
+  QPainter& painter_;
+  const View& view_;
+  QColor colour_;
+  QColor fill_;
+  QRectF seen_;
+  QVector<QRectF> outlined_;
+};
+
 QString cornerText(Point p) {
   const QLocale locale;
   return LayTool::tr("x %1 cm, y %2 cm")
@@ -88,23 +129,15 @@ void LayTool::paint(QPainter& painter, const CanvasScene& scene, const CanvasThe
   paintGesture(painter, scene, theme);
 }
 
-void LayTool::paintChosen(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme) const {
+void LayTool::paintChosen(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme) {
   if (chosen_.empty()) return;
-  painter.setPen(QPen{theme.accent, 2.0});
-  painter.setBrush(faint(theme.accent, 45));
-  QRectF small;
-  QVector<QRectF> boxes;
-  scene.floor.forEachTile(scene.view.visible(10.0), [&](const FloorIndex::Tile& tile) {
-    if (!chosen_.contains(scene.floor.serial(tile))) return;
-    const QRectF pixels = pixelBox(scene.view, boxOf(tile.box));
-    if (std::min(pixels.width(), pixels.height()) < kTooSmall) {
-      small |= pixels;
-    } else {
-      boxes.push_back(pixels.adjusted(1, 1, -1, -1));
-    }
-  });
-  painter.drawRects(boxes);
-  if (!small.isNull()) painter.drawRect(small);
+  TileMarks marks{painter, scene.view, theme.accent, 45};
+  if (!chosenBoxes_) {
+    chosenBoxes_.emplace();
+    for (const FloorIndex::Tile& tile : scene.floor.tiles())
+      if (chosen_.contains(scene.floor.serial(tile))) chosenBoxes_->push_back(boxOf(tile.box));
+  }
+  for (const Box& box : *chosenBoxes_) marks.add(box);
 }
 
 void LayTool::paintGesture(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme) const {
@@ -127,15 +160,8 @@ void LayTool::paintGesture(QPainter& painter, const CanvasScene& scene, const Ca
     says = tr("%1 × %2 tiles").arg(fill->columns()).arg(fill->rows());
     at = mouse_.place;
   } else if (const auto* drag = std::get_if<LayDrag>(&gesture_); drag != nullptr) {
-    painter.setPen(QPen{drag->free ? theme.accent : theme.fault, 2.0});
-    painter.setBrush(faint(drag->free ? theme.accent : theme.fault, 60));
-    const QRectF window{QPointF{}, scene.view.size()};
-    QVector<QRectF> boxes;
-    for (const Box& box : drag->boxes) {
-      const QRectF pixels = pixelBox(scene.view, {box.low + drag->by, box.high + drag->by});
-      if (pixels.intersects(window)) boxes.push_back(pixels);
-    }
-    painter.drawRects(boxes);
+    TileMarks marks{painter, scene.view, drag->free ? theme.accent : theme.fault, 60};
+    for (const Box& box : drag->boxes) marks.add({box.low + drag->by, box.high + drag->by});
     if (drag->moved) says = cornerText(drag->grabbedBox.low + drag->by);
     at = mouse_.place;
   } else if (const auto* band = std::get_if<LayBand>(&gesture_); band != nullptr) {

@@ -77,11 +77,11 @@ QWidget* TilePanel::makeMainPage() {
   summary_ = new QLabel;
   summary_->setObjectName("chosenTiles");
   summary_->setWordWrap(true);
-  summary_->setContentsMargins(0, fontMetrics().height() / 2, 0, 0);
   details_ = makeDetails();
   auto* body = new QWidget;
   auto* column = new QVBoxLayout{body};
   column->addWidget(makeNext());
+  column->addSpacing(fontMetrics().height() / 2);
   column->addWidget(summary_);
   column->addWidget(details_);
   column->addStretch();
