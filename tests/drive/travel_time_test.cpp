@@ -1,0 +1,56 @@
+// The time foretold against the time that the controller takes in its closed loop.
+#include "drive/travel_time.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "base/polyline.h"
+#include "drive/closed_loop.h"
+
+namespace tessera::test {
+namespace {
+
+double foretold(const floor::Route& route, double speed, double delay) {
+  drive::SpeedPlanOptions plan;
+  plan.requested = MetresPerSecond{speed};
+  return drive::travelTime(route, {}, plan, Seconds{delay}).value();
+}
+
+floor::Route zigzag(int legs, double turn) {
+  floor::Route route{"zigzag", {{}}, Metres{0.2}};
+  for (int n = 0; n < legs; ++n)
+    route.vertices.push_back(route.vertices.back() + turned({Metres{0.8}, {}}, Radians{n % 2 == 0 ? 0.0 : turn}));
+  return route;
+}
+
+TEST(TravelTime, isWhatTheClosedLoopTakes) {
+  for (const floor::Route& route : {paperRoute(), zigzag(6, 1.5708), zigzag(6, 0.3), zigzag(1, 0.0)}) {
+    for (const double speed : {0.05, 0.12, 0.30}) {
+      LoopOptions options;
+      options.speed = speed;
+      const LoopResult driven = closeLoop("look-ahead", route, options);
+      ASSERT_TRUE(driven.finished) << route.name;
+      const double expected = foretold(route, speed, options.up + options.period);
+      std::printf("%-8s %2zu legs at %.2f m/s: %.1f s foretold, %.1f s driven\n", route.name.c_str(),
+                  route.vertices.size() - 1, speed, expected, driven.duration);
+      EXPECT_NEAR(expected, driven.duration, 0.08 * driven.duration + 0.5);
+    }
+  }
+}
+
+TEST(TravelTime, isNoShorterThanAtFullSpeedAllTheWay) {
+  const floor::Route route = zigzag(5, 1.0);
+  EXPECT_GT(foretold(route, 0.2, 0.2), Polyline{route.vertices}.length().value() / 0.2);
+  EXPECT_LT(foretold(route, 0.2, 0.2), foretold(route, 0.1, 0.2));
+}
+
+TEST(TravelTime, bearsRoutesThatAreNone) {
+  EXPECT_EQ(foretold({"", {}, Metres{0.2}}, 0.2, 0.2), 0.0);
+  EXPECT_EQ(foretold({"", {{}, {}}, Metres{0.2}}, 0.2, 0.2), 0.0);
+  const floor::Route far{"", {{Metres{-1e5}, {}}, {Metres{1e5}, {}}}, Metres{0.2}};
+  EXPECT_NEAR(foretold(far, 0.2, 0.2), 1e6, 1e4);
+}
+
+}  // namespace
+}  // namespace tessera::test
