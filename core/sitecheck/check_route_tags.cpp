@@ -99,9 +99,8 @@ Box boxOfWay(const Polyline& line, const Sighted& way) {
 
 }  // namespace
 
-Faults checkRouteTags(const Context& context, std::size_t index) {
+Faults checkRouteTags(const Context& context, const floor::Route& route) {
   Faults faults;
-  const floor::Route& route = context.site.routes[index];
   // Without any tag at all that is told once, for the site.
   if (context.plan.laid().empty() && context.site.looseTags.empty()) return faults;
   const auto place = route.vertices.empty() ? Box{} : boxAround(route.vertices);

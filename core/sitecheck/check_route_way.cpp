@@ -209,9 +209,7 @@ private:
 
 }  // namespace
 
-Faults checkRouteWay(const Context& context, std::size_t route) {
-  return Way{context, context.site.routes[route]}.check();
-}
+Faults checkRouteWay(const Context& context, const Route& route) { return Way{context, route}.check(); }
 
 Faults checkRouteNames(const Context& context) {
   Faults faults;

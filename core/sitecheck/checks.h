@@ -30,9 +30,10 @@ struct Context {
 [[nodiscard]] Faults checkRadio(const Context& context);
 [[nodiscard]] Faults checkEmpty(const Context& context);
 
-// Of one zone or route alone, by its index.
+// Of one zone alone, by its index.
 [[nodiscard]] Faults checkGaps(const Context& context, std::size_t zone);
-[[nodiscard]] Faults checkRouteWay(const Context& context, std::size_t route);
-[[nodiscard]] Faults checkRouteTags(const Context& context, std::size_t route);
+// Of one route alone, whether it is among the site's or not.
+[[nodiscard]] Faults checkRouteWay(const Context& context, const floor::Route& route);
+[[nodiscard]] Faults checkRouteTags(const Context& context, const floor::Route& route);
 
 }  // namespace tessera::sitecheck

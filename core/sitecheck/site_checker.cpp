@@ -156,14 +156,23 @@ const Verdict& SiteChecker::check(std::shared_ptr<const Site> site) {
                [&](std::size_t i) { return checkGaps(context, i); });
   if ((changed & (kWaysRead | kRoutes)) != 0)
     runPerItem(ways_, routesBefore, site_->routes, (changed & kWaysRead) != 0,
-               [&](std::size_t i) { return checkRouteWay(context, i); });
+               [&](std::size_t i) { return checkRouteWay(context, site_->routes[i]); });
   if ((changed & (kTagsRead | kRoutes)) != 0)
     runPerItem(tags_, routesBefore, site_->routes, (changed & kTagsRead) != 0,
-               [&](std::size_t i) { return checkRouteTags(context, i); });
+               [&](std::size_t i) { return checkRouteTags(context, site_->routes[i]); });
   verdict_.parts_ = whole_;
   for (const PerItem* items : {&gaps_, &ways_, &tags_})
     verdict_.parts_.insert(verdict_.parts_.end(), items->begin(), items->end());
   return verdict_;
+}
+
+Faults SiteChecker::tryRoute(const floor::Route& route) const {
+  if (site_ == nullptr) return {};
+  const Context context{*site_, options_, plan_, zones_, looseTags_};
+  Faults faults = checkRouteWay(context, route);
+  Faults blind = checkRouteTags(context, route);
+  faults.insert(faults.end(), blind.begin(), blind.end());
+  return faults;
 }
 
 Verdict checkSite(const Site& site, const CheckOptions& options) {

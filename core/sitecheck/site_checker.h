@@ -33,6 +33,8 @@ public:
   explicit SiteChecker(CheckOptions options = {}) : options_{options} {}
   /// Any site at all: also one that no map can be built of. Sections are compared by value.
   const Verdict& check(std::shared_ptr<const floor::Site> site);
+  /// What would be wrong with this route in the site that was checked last, as while it is being drawn.
+  [[nodiscard]] Faults tryRoute(const floor::Route& route) const;
   [[nodiscard]] const Verdict& verdict() const { return verdict_; }
   /// How many checks (a zone's gaps, a route's way and the like each count) ran last time.
   [[nodiscard]] std::size_t runs() const { return runs_; }

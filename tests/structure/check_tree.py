@@ -12,7 +12,7 @@ COUNTED = CODE | {".py", ".sh", ".cmake", ".s", ".S", ".ld"}
 
 # The edges to the real machine: the only places in the logic that may know clocks, threads, sockets. The cell in which
 # snapshots pass from thread to thread stands with them, but needs no Qt, so that ThreadSanitizer sees it.
-EDGES = re.compile(r"core/(host|store|sim/qemu|sim/pty)/|core/supervisor/latest_value\.h$")
+EDGES = re.compile(r"core/(host|store|sitecheck/live|sim/qemu|sim/pty)/|core/supervisor/latest_value\.h$")
 QT_ALLOWED = re.compile(r"core/(host|store)/")
 LOGIC = re.compile(r"core/|firmware/vehicle/|app/experiment/")
 NO_HEAP = re.compile(r"core/wire/|firmware/vehicle/|firmware/boards/lm3s6965/")
