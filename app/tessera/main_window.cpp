@@ -12,6 +12,7 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QToolButton>
 #include <iostream>
 
 #include "app/tessera/fleet_session.h"
@@ -21,6 +22,7 @@
 #include "app/tessera/window_actions.h"
 #include "app/tessera/window_panels.h"
 #include "ui/canvas/floor_canvas.h"
+#include "ui/check/fault_watch.h"
 #include "ui/connect/start_page.h"
 #include "ui/fleet/run_panel.h"
 #include "ui/fleet/stop_all.h"
@@ -28,6 +30,7 @@
 #include "ui/help/help_window.h"
 #include "ui/lay/lay_tool.h"
 #include "ui/route/route_tool.h"
+#include "ui/zone/zone_tool.h"
 
 namespace tessera::desktop {
 
@@ -39,7 +42,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow{parent} {
   keeper_ = new Keeper{document_, *session_, this};
   actions_ = new WindowActions{*this, document_.undoStack()};
   buildCentre();
-  panels_ = new WindowPanels{*this, *session_, selection_, document_, *layTool_};
+  watch_ = std::make_unique<ui::FaultWatch>(document_);
+  panels_ = new WindowPanels{*this, *session_, selection_, document_, *layTool_, *watch_};
   actions_->addOrders(*this, panels_->run->actions());
   // In the menu bar's corner: a tool bar hides what it has no room for.
   menuBar()->setNativeMenuBar(false);
@@ -53,6 +57,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow{parent} {
   joinRegister();
   joinPanels();
   joinTiles();
+  joinZones();
+  joinFaults();
   retranslate();
   showSite();
   showFleetState();
@@ -66,8 +72,14 @@ MainWindow::~MainWindow() {
   document_.disconnect(this);
   selection_.disconnect(this);
   canvas_->setTool(nullptr);
+  watch_->disconnect(this);
   routeTool_.reset();
-  for (QDockWidget* dock : panels_->docks()) delete dock;
+  zoneTool_.reset();
+  for (QDockWidget* dock : panels_->docks()) {
+    dock->disconnect(this);
+    delete dock;
+  }
+  watch_.reset();
   layTool_.reset();  // its panel looked at it
   delete takeCentralWidget();
   delete files_;
@@ -91,6 +103,7 @@ void MainWindow::buildCentre() {
   centre_->addWidget(canvas_);
   setCentralWidget(centre_);
   routeTool_ = std::make_unique<ui::RouteTool>(document_, selection_, this);
+  zoneTool_ = std::make_unique<ui::ZoneTool>(document_, selection_, this);
   layTool_ = std::make_unique<ui::LayTool>(document_, this);
 }
 
@@ -101,7 +114,14 @@ void MainWindow::buildStatusBar() {
   place_->setObjectName(QStringLiteral("placeLabel"));
   port_->setObjectName(QStringLiteral("portLabel"));
   hint_->setObjectName(QStringLiteral("hintLabel"));
+  // It gives way: a long sentence must not make the window wider.
+  hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  faults_ = new QToolButton;
+  faults_->setObjectName(QStringLiteral("faultSummary"));
+  faults_->setAutoRaise(true);
+  faults_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   statusBar()->addWidget(hint_, 1);
+  statusBar()->addPermanentWidget(faults_);
   statusBar()->addPermanentWidget(place_);
   statusBar()->addPermanentWidget(port_);
 }

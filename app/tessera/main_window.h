@@ -16,9 +16,11 @@
 
 class QLabel;
 class QStackedWidget;
+class QToolButton;
 
 namespace tessera::ui {
 class CanvasTool;
+class FaultWatch;
 class FloorCanvas;
 class HelpWindow;
 class LayTool;
@@ -26,6 +28,7 @@ class RouteTool;
 class StartPage;
 class StopAllButton;
 class StopAllKey;
+class ZoneTool;
 }  // namespace tessera::ui
 
 namespace tessera::desktop {
@@ -81,6 +84,10 @@ private:
   void forgetSelectionThatIsGone();
   void useTool(ui::CanvasTool* tool);
   void drawRoute();
+  void useZoneTool();
+  void joinZones();
+  void joinFaults();
+  void showFaults();
   void joinRegister();
   void layTiles();
   void editTileTypes();
@@ -107,7 +114,9 @@ private:
   QStackedWidget* centre_;
   ui::StartPage* start_;
   ui::FloorCanvas* canvas_;
+  std::unique_ptr<ui::FaultWatch> watch_;
   std::unique_ptr<ui::RouteTool> routeTool_;
+  std::unique_ptr<ui::ZoneTool> zoneTool_;
   std::unique_ptr<RegisterDesk> register_;
   std::unique_ptr<ui::LayTool> layTool_;
   WindowPanels* panels_;
@@ -119,6 +128,7 @@ private:
   bool open_ = false;  // a site stands in the document
   QLabel* place_;
   QLabel* hint_;
+  QToolButton* faults_;
   QLabel* port_;
 };
 

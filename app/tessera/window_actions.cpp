@@ -49,9 +49,13 @@ void WindowActions::makeAll() {
   trails = make("layerTrails", nullptr, {}, true);
   uncertainty = make("layerUncertainty", nullptr, {}, true);
   grid = make("layerGrid", nullptr, {}, true);
+  faults = make("layerFaults", nullptr, {}, true);
   browse = make("browse", "pan", QKeySequence{Qt::CTRL | Qt::Key_B}, true);
   editRoutes = make("editRoutes", "select", QKeySequence{Qt::CTRL | Qt::Key_E}, true);
   drawRoute = make("drawRoute", "route", QKeySequence{Qt::CTRL | Qt::Key_R}, true);
+  editZones = make("editZones", "zone", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_E}, true);
+  drawZone = make("drawZone", "draw-zone", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_R}, true);
+  showFaults = make("showFaults", "check", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_F});
   registerTags = make("registerTags", "tag", QKeySequence{Qt::CTRL | Qt::Key_T}, true);
   layTiles = make("layTiles", "tile", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_T}, true);
   tileTypes = make("tileTypes", "grid");
@@ -75,18 +79,22 @@ void WindowActions::fillMenus(QMainWindow& window) {
   site_->addSeparator();
   site_->addActions({save, saveAs, rename});
   site_->addSeparator();
+  site_->addAction(showFaults);
+  site_->addSeparator();
   site_->addAction(quit);
   edit_ = bar->addMenu(QString{});
   edit_->addActions({undo, redo});
   edit_->addSeparator();
   edit_->addActions({browse, editRoutes, drawRoute, layTiles});
   edit_->addSeparator();
+  edit_->addActions({editZones, drawZone});
+  edit_->addSeparator();
   edit_->addActions({tileTypes, registerTags});
   view_ = bar->addMenu(QString{});
   view_->addActions({zoomIn, zoomOut, fit, follow});
   view_->addSeparator();
   layers_ = view_->addMenu(QString{});
-  layers_->addActions({tags, zones, trails, uncertainty, grid});
+  layers_->addActions({tags, zones, trails, uncertainty, grid, faults});
   panels = view_->addMenu(QString{});
   view_->addSeparator();
   language_ = view_->addMenu(ui::icon(QStringLiteral("language")), QString{});
@@ -101,7 +109,7 @@ void WindowActions::fillMenus(QMainWindow& window) {
   connection_->addAction(radio);
   help_ = bar->addMenu(QString{});
   help_->addActions({help, about});
-  for (QAction* layer : {tags, zones, trails, uncertainty, grid}) layer->setChecked(true);
+  for (QAction* layer : {tags, zones, trails, uncertainty, grid, faults}) layer->setChecked(true);
   browse->setChecked(true);
   // Reached by their keys also while the menu bar is hidden.
   for (QMenu* menu : {site_, edit_, view_, vehicle_, connection_, help_}) window.addActions(menu->actions());
@@ -124,7 +132,7 @@ void WindowActions::fillToolBar(QMainWindow& window) {
   toolBar_->addSeparator();
   toolBar_->addActions({undo, redo});
   toolBar_->addSeparator();
-  toolBar_->addActions({browse, editRoutes, drawRoute, layTiles});
+  toolBar_->addActions({browse, editRoutes, drawRoute, layTiles, editZones});
   toolBar_->addSeparator();
   toolBar_->addActions({zoomIn, zoomOut, fit, follow});
   toolBar_->addSeparator();

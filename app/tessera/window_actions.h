@@ -23,8 +23,9 @@ public:
 
   QAction *demo, *newSite, *open, *save, *saveAs, *rename, *quit;
   QAction *undo, *redo;
-  QAction *zoomIn, *zoomOut, *fit, *follow, *tags, *zones, *trails, *uncertainty, *grid;
+  QAction *zoomIn, *zoomOut, *fit, *follow, *tags, *zones, *trails, *uncertainty, *grid, *faults;
   QAction *drawRoute, *editRoutes, *layTiles, *tileTypes, *browse;
+  QAction *drawZone, *editZones, *showFaults;
   QAction* registerTags;
   QAction *connectPort, *disconnectPort, *radio;
   QAction *commission, *editVehicle, *jog, *stopAll;

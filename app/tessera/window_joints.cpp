@@ -13,7 +13,6 @@
 #include "app/tessera/keeper.h"
 #include "app/tessera/main_window.h"
 #include "app/tessera/radio_workbench.h"
-#include "app/tessera/register_desk.h"
 #include "app/tessera/site_files.h"
 #include "app/tessera/window_actions.h"
 #include "app/tessera/window_panels.h"
@@ -56,6 +55,7 @@ void MainWindow::joinSite() {
     const auto& site = document_.site();
     selection_.setVehicle(site.vehicles.empty() ? std::nullopt : std::optional{site.vehicles.front().id});
     selection_.setRoute(site.routes.empty() ? QString{} : QString::fromStdString(site.routes.front().name));
+    selection_.setZone({});
     showRecent();
   });
   connect(files_, &SiteFiles::saved, keeper_, &Keeper::onSaved);
@@ -165,6 +165,7 @@ void MainWindow::joinActions() {
   layer(a.trails, &ui::CanvasLayers::trails);
   layer(a.uncertainty, &ui::CanvasLayers::uncertainty);
   layer(a.grid, &ui::CanvasLayers::grid);
+  layer(a.faults, &ui::CanvasLayers::faults);
   connect(actions_, &WindowActions::languageChosen, this, &MainWindow::setLanguage);
   connect(actions_, &WindowActions::appearanceChosen, this, &MainWindow::setAppearance);
   connect(a.recent, &QMenu::triggered, this, [this](QAction* action) { files_->open(action->data().toString()); });
@@ -189,7 +190,10 @@ void MainWindow::joinPanels() {
   connect(panels_->routes, &ui::RoutePanel::vertexSelected, routeTool_.get(), &ui::RouteTool::setVertex);
   connect(panels_->routes, &ui::RoutePanel::refused, this, &MainWindow::tell);
   connect(canvas_, &ui::FloorCanvas::toolChanged, this, &MainWindow::showTool);
-  connect(canvas_, &ui::FloorCanvas::hintChanged, hint_, &QLabel::setText);
+  connect(canvas_, &ui::FloorCanvas::hintChanged, hint_, [this](const QString& hint) {
+    hint_->setText(hint);
+    hint_->setToolTip(hint);
+  });
   panels_->events->setClock(&Keeper::wallClock);
   connect(keeper_, &Keeper::historyLoaded, panels_->events, &ui::EventPanel::prepend);
   connect(panels_->events, &ui::EventPanel::dayWanted, keeper_, &Keeper::readDay);
@@ -200,12 +204,14 @@ void MainWindow::joinPanels() {
 void MainWindow::showSite() {
   centre_->setCurrentIndex(open_ ? centre_->indexOf(canvas_) : 0);
   panels_->setShown(open_);
-  for (QAction* action : {actions_->save, actions_->saveAs, actions_->rename, actions_->zoomIn, actions_->zoomOut,
-                          actions_->fit, actions_->follow, actions_->browse, actions_->editRoutes, actions_->drawRoute,
-                          actions_->layTiles, actions_->tileTypes, actions_->registerTags, actions_->connectPort,
-                          actions_->radio, actions_->commission, actions_->jog})
+  for (QAction* action :
+       {actions_->save,      actions_->saveAs,      actions_->rename,     actions_->zoomIn,       actions_->zoomOut,
+        actions_->fit,       actions_->follow,      actions_->browse,     actions_->editRoutes,   actions_->drawRoute,
+        actions_->editZones, actions_->drawZone,    actions_->showFaults, actions_->registerTags, actions_->layTiles,
+        actions_->tileTypes, actions_->connectPort, actions_->radio,      actions_->commission,   actions_->jog})
     action->setEnabled(open_);
   actions_->editVehicle->setEnabled(open_ && selection_.vehicle().has_value());
+  faults_->setVisible(open_);
   setWindowFilePath(document_.path());
   const QString name = QString::fromStdString(document_.site().name);
   // The title has the place for the star before anything may set it.
@@ -258,28 +264,6 @@ void MainWindow::forgetSelectionThatIsGone() {
     const auto& routes = document_.site().routes;
     selection_.setRoute(routes.empty() ? QString{} : QString::fromStdString(routes.front().name));
   }
-}
-
-void MainWindow::useTool(ui::CanvasTool* tool) {
-  canvas_->setTool(tool);
-  canvas_->setFocus();
-  showTool();
-}
-
-void MainWindow::drawRoute() {
-  useTool(routeTool_.get());
-  routeTool_->startDrawing();
-}
-
-void MainWindow::showTool() {
-  const bool routes = canvas_->tool() == routeTool_.get();
-  const bool drawing = routes && routeTool_->isDrawing();
-  actions_->browse->setChecked(canvas_->tool() == nullptr);
-  actions_->registerTags->setChecked(register_ && canvas_->tool() == &register_->tool());
-  actions_->layTiles->setChecked(canvas_->tool() == layTool_.get());
-  actions_->editRoutes->setChecked(routes && !drawing);
-  actions_->drawRoute->setChecked(drawing);
-  actions_->allowSteps((drawing && !routeTool_->draft().empty()) || layTool_->isPasting());
 }
 
 void MainWindow::openDemo() {

@@ -5,16 +5,18 @@
 #include <algorithm>
 
 #include "ui/charts/live_charts.h"
+#include "ui/check/fault_panel.h"
 #include "ui/fleet/event_panel.h"
 #include "ui/fleet/run_panel.h"
 #include "ui/fleet/vehicle_table.h"
 #include "ui/lay/tile_panel.h"
 #include "ui/route/route_panel.h"
+#include "ui/zone/zone_panel.h"
 
 namespace tessera::desktop {
 
 WindowPanels::WindowPanels(QMainWindow& window, ui::FleetLink& fleet, ui::Selection& selection,
-                           ui::SiteDocument& document, ui::LayTool& layTool)
+                           ui::SiteDocument& document, ui::LayTool& layTool, ui::FaultWatch& watch)
     : QObject{&window} {
   vehicles = new ui::VehicleTable{fleet, selection, document};
   run = new ui::RunPanel{fleet, selection, document};
@@ -36,6 +38,14 @@ WindowPanels::WindowPanels(QMainWindow& window, ui::FleetLink& fleet, ui::Select
   auto* tilesDock = add(window, "tilesDock", "tiles", Qt::RightDockWidgetArea, tiles);
   window.tabifyDockWidget(routesDock, tilesDock);
   tilesDock->hide();
+  zones = new ui::ZonePanel{document, selection};
+  auto* zoneDock = add(window, "zonesDock", "zones", Qt::RightDockWidgetArea, zones);
+  window.tabifyDockWidget(tilesDock, zoneDock);
+  zoneDock->hide();
+  faults = new ui::FaultPanel{document, watch};
+  auto* faultDock = add(window, "faultsDock", "checking", Qt::BottomDockWidgetArea, faults);
+  window.tabifyDockWidget(eventDock, faultDock);
+  faultDock->hide();
   retranslate();
 }
 
@@ -90,7 +100,8 @@ void WindowPanels::arrange(QMainWindow& window) {
 }
 
 void WindowPanels::retranslate() {
-  const QStringList titles{tr("Vehicles"), tr("Charts"), tr("What happened"), tr("Drive"), tr("Routes"), tr("Tiles")};
+  const QStringList titles{tr("Vehicles"), tr("Charts"), tr("What happened"), tr("Drive"),
+                           tr("Routes"),   tr("Tiles"),  tr("Zones"),         faults->title()};
   for (std::size_t i = 0; i < static_cast<std::size_t>(titles.size()); ++i)
     docks_[i]->setWindowTitle(titles.at(static_cast<qsizetype>(i)));
 }

@@ -14,12 +14,15 @@ class QMainWindow;
 
 namespace tessera::ui {
 class EventPanel;
+class FaultPanel;
+class FaultWatch;
 class LayTool;
 class LiveCharts;
 class RoutePanel;
 class RunPanel;
 class TilePanel;
 class VehicleTable;
+class ZonePanel;
 }  // namespace tessera::ui
 
 namespace tessera::desktop {
@@ -28,7 +31,7 @@ class WindowPanels : public QObject {
   Q_OBJECT
 public:
   WindowPanels(QMainWindow& window, ui::FleetLink& fleet, ui::Selection& selection, ui::SiteDocument& document,
-               ui::LayTool& layTool);
+               ui::LayTool& layTool, ui::FaultWatch& watch);
 
   ui::VehicleTable* vehicles;
   ui::RunPanel* run;
@@ -36,6 +39,8 @@ public:
   ui::TilePanel* tiles;
   ui::LiveCharts* charts;
   ui::EventPanel* events;
+  ui::ZonePanel* zones;
+  ui::FaultPanel* faults;
 
   /// The panel of a tool: a tab beside the routes, hidden until the tool is chosen. Its title is the content's window
   /// title.

@@ -38,9 +38,13 @@ void WindowActions::retranslate() {
   trails->setText(tr("T&rails"));
   uncertainty->setText(tr("&Uncertainty"));
   grid->setText(tr("&Grid"));
+  faults->setText(tr("&Faults"));
   browse->setText(tr("&Look around"));
   editRoutes->setText(tr("&Change routes"));
   drawRoute->setText(tr("&Draw a route"));
+  editZones->setText(tr("Change &zones"));
+  drawZone->setText(tr("Draw a z&one"));
+  showFaults->setText(tr("&Faults of the site"));
   registerTags->setText(tr("Register &tags…"));
   layTiles->setText(tr("Lay t&iles"));
   tileTypes->setText(tr("Tile t&ypes…"));
@@ -62,6 +66,8 @@ void WindowActions::retranslate() {
       tr("Keep the chosen vehicle in view (%1)").arg(follow->shortcut().toString(QKeySequence::NativeText)));
   drawRoute->setToolTip(
       tr("Click the route's vertices on the floor (%1)").arg(drawRoute->shortcut().toString(QKeySequence::NativeText)));
+  editZones->setToolTip(tr("Change zones on the floor and in their panel (%1)")
+                            .arg(editZones->shortcut().toString(QKeySequence::NativeText)));
   layTiles->setToolTip(tr("Lay tiles on the floor, choose and move them (%1)")
                            .arg(layTiles->shortcut().toString(QKeySequence::NativeText)));
   // Buttons have no letter to press: the menus have, and one letter must not mean two things.
@@ -69,7 +75,7 @@ void WindowActions::retranslate() {
   for (QAction* action : {browse, editRoutes, drawRoute, layTiles, connectPort, disconnectPort})
     action->setIconText(QString{action->text()}.remove(letter));
   // What everybody knows by its picture needs no word beside it.
-  for (QAction* action : {open, save, undo, redo, zoomIn, zoomOut, fit, follow}) {
+  for (QAction* action : {open, save, undo, redo, zoomIn, zoomOut, fit, follow, editZones}) {
     if (auto* button = qobject_cast<QToolButton*>(toolBar_->widgetForAction(action))) {
       button->setToolButtonStyle(Qt::ToolButtonIconOnly);
       button->setAccessibleName(QString{action->text()}.remove(letter));

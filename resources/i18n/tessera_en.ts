@@ -43,6 +43,23 @@
     </message>
 </context>
 <context>
+    <name>tessera::ui::FaultPanel</name>
+    <message numerus="yes">
+        <source>%n error(s)</source>
+        <translation>
+            <numerusform>%n error</numerusform>
+            <numerusform>%n errors</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warning(s)</source>
+        <translation>
+            <numerusform>%n warning</numerusform>
+            <numerusform>%n warnings</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>tessera::ui::KeyPage</name>
     <message numerus="yes">
         <source>A key has 32 hexadecimal digits (0–9, A–F); here are %n.</source>

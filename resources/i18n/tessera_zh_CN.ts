@@ -1777,6 +1777,42 @@
     </message>
 </context>
 <context>
+    <name>Readout</name>
+    <message>
+        <source>%1 m, %2°</source>
+        <comment>length and bearing of a leg</comment>
+        <translation>%1 m，%2°</translation>
+    </message>
+    <message>
+        <source>x %1 m, y %2 m</source>
+        <translation>x %1 m，y %2 m</translation>
+    </message>
+    <message>
+        <source>vertex</source>
+        <translation>顶点</translation>
+    </message>
+    <message>
+        <source>tag</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>tile corner</source>
+        <translation>地板砖角</translation>
+    </message>
+    <message>
+        <source>tile middle</source>
+        <translation>地板砖中心</translation>
+    </message>
+    <message>
+        <source>tile edge</source>
+        <translation>地板砖边</translation>
+    </message>
+    <message>
+        <source>45° steps</source>
+        <translation>45° 步进</translation>
+    </message>
+</context>
+<context>
     <name>RegisterEdits</name>
     <message>
         <source>There is no tile %1 any more.</source>
@@ -1872,6 +1908,34 @@
     <message>
         <source>Delete vertex %1 of %2</source>
         <translation>删除 %2 的顶点 %1</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” have no end in common.</source>
+        <translation>“%1”和“%2”没有共同的端点。</translation>
+    </message>
+    <message>
+        <source>Together they would have more vertices than a route may have.</source>
+        <translation>合在一起的顶点数会超过路径的上限。</translation>
+    </message>
+    <message>
+        <source>Join %1 with %2</source>
+        <translation>将%1与%2连接</translation>
+    </message>
+    <message>
+        <source>A route is split at a vertex between two others.</source>
+        <translation>路径只能在中间的顶点处拆分。</translation>
+    </message>
+    <message>
+        <source>%1 (part 2)</source>
+        <translation>%1（第 2 段）</translation>
+    </message>
+    <message>
+        <source>%1 (part 2, %2)</source>
+        <translation>%1（第 2 段，%2）</translation>
+    </message>
+    <message>
+        <source>Split %1</source>
+        <translation>拆分%1</translation>
     </message>
 </context>
 <context>
@@ -2057,6 +2121,181 @@
     </message>
 </context>
 <context>
+    <name>ZoneEdits</name>
+    <message>
+        <source>There is no zone called “%1” any more.</source>
+        <translation>已没有名为“%1”的区域。</translation>
+    </message>
+    <message>
+        <source>A zone needs at least three corners.</source>
+        <translation>区域至少需要三个角点。</translation>
+    </message>
+    <message>
+        <source>This outline encloses no floor.</source>
+        <translation>此轮廓没有围住任何地面。</translation>
+    </message>
+    <message>
+        <source>Draw %1</source>
+        <translation>绘制%1</translation>
+    </message>
+    <message>
+        <source>%1 (copy)</source>
+        <translation>%1（副本）</translation>
+    </message>
+    <message>
+        <source>%1 (copy %2)</source>
+        <translation>%1（副本 %2）</translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation>复制%1</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>删除%1</translation>
+    </message>
+    <message>
+        <source>A zone needs a name.</source>
+        <translation>区域需要名称。</translation>
+    </message>
+    <message>
+        <source>This name is too long for a zone.</source>
+        <translation>此名称对区域来说太长。</translation>
+    </message>
+    <message>
+        <source>There is a zone called “%1” already.</source>
+        <translation>已有名为“%1”的区域。</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>重命名%1</translation>
+    </message>
+    <message>
+        <source>Make %1 a %2</source>
+        <translation>将%1改为%2</translation>
+    </message>
+    <message>
+        <source>Set speed of %1</source>
+        <translation>设定%1的速度</translation>
+    </message>
+    <message>
+        <source>Set direction of %1</source>
+        <translation>设定%1的方向</translation>
+    </message>
+    <message>
+        <source>Move corner %1 of %2</source>
+        <translation>移动%2的角点 %1</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>移动%1</translation>
+    </message>
+    <message>
+        <source>This zone has as many corners as a zone may have.</source>
+        <translation>此区域的角点数已达上限。</translation>
+    </message>
+    <message>
+        <source>Insert corner into %1</source>
+        <translation>在%1中插入角点</translation>
+    </message>
+    <message>
+        <source>A zone needs three corners; to remove it, delete the zone.</source>
+        <translation>区域需要三个角点；要去掉它，请删除区域。</translation>
+    </message>
+    <message>
+        <source>Delete corner %1 of %2</source>
+        <translation>删除%2的角点 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ZoneShape</name>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+</context>
+<context>
+    <name>ZoneWords</name>
+    <message>
+        <source>Running zone</source>
+        <translation>行驶区域</translation>
+    </message>
+    <message>
+        <source>Storage zone</source>
+        <translation>存储区域</translation>
+    </message>
+    <message>
+        <source>Parking zone</source>
+        <translation>停车区域</translation>
+    </message>
+    <message>
+        <source>Charging zone</source>
+        <translation>充电区域</translation>
+    </message>
+    <message>
+        <source>No-go zone</source>
+        <translation>禁行区域</translation>
+    </message>
+    <message>
+        <source>Slow zone</source>
+        <translation>慢行区域</translation>
+    </message>
+    <message>
+        <source>One-way zone</source>
+        <translation>单行区域</translation>
+    </message>
+    <message>
+        <source>Single-vehicle zone</source>
+        <translation>单车区域</translation>
+    </message>
+    <message>
+        <source>Vehicles may drive here.</source>
+        <translation>车辆可以在此行驶。</translation>
+    </message>
+    <message>
+        <source>Vehicles may be here; goods are put down and taken up.</source>
+        <translation>车辆可以在此；货物在此放下和取走。</translation>
+    </message>
+    <message>
+        <source>Vehicles may be here; idle ones wait.</source>
+        <translation>车辆可以在此；空闲车辆在此等候。</translation>
+    </message>
+    <message>
+        <source>Vehicles may be here; they charge their batteries.</source>
+        <translation>车辆可以在此；在此充电。</translation>
+    </message>
+    <message>
+        <source>No vehicle may be here, whatever other zones say.</source>
+        <translation>任何车辆都不得在此，无论其他区域如何规定。</translation>
+    </message>
+    <message>
+        <source>Vehicles drive no faster than the zone&apos;s speed here.</source>
+        <translation>车辆在此不快于该区域的速度。</translation>
+    </message>
+    <message>
+        <source>Ways lead within 90° of the zone&apos;s direction here.</source>
+        <translation>在此行驶方向与区域方向之差不超过 90°。</translation>
+    </message>
+    <message>
+        <source>Only one vehicle at a time may be here.</source>
+        <translation>同一时间只允许一辆车在此。</translation>
+    </message>
+    <message>
+        <source>Zones upon one another:
+• No-go wins over every other kind.
+• A vehicle may be where a running, storage, parking or charging zone is and no no-go zone; the other kinds restrict what lies under them.
+• Of several slow zones the lowest speed holds.
+• Of several one-way zones each holds.
+• Of several single-vehicle zones each has to be free.</source>
+        <translation>区域重叠时：
+• 禁行优先于其他任何类型。
+• 车辆可以在有行驶、存储、停车或充电区域且没有禁行区域的地方；其他类型限制其下的区域。
+• 多个慢行区域中最低速度有效。
+• 多个单行区域中每一个都有效。
+• 多个单车区域每一个都必须空闲。</translation>
+    </message>
+</context>
+<context>
     <name>tessera::desktop::Keeper</name>
     <message>
         <source>The journal cannot be read just now. Try again in a moment.</source>
@@ -2116,6 +2355,10 @@
     <message>
         <source>Take up a vehicle&apos;s key</source>
         <translation>采用车辆的密钥</translation>
+    </message>
+    <message>
+        <source>What is wrong with the site: click for the list</source>
+        <translation>场地有什么问题：点击查看列表</translation>
     </message>
 </context>
 <context>
@@ -2463,6 +2706,26 @@
         <source>Lay tiles on the floor, choose and move them (%1)</source>
         <translation>在地面上铺设、选择和移动地板砖（%1）</translation>
     </message>
+    <message>
+        <source>&amp;Faults</source>
+        <translation>问题(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Change &amp;zones</source>
+        <translation>修改区域(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Draw a z&amp;one</source>
+        <translation>绘制区域(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Faults of the site</source>
+        <translation>场地的问题(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Change zones on the floor and in their panel (%1)</source>
+        <translation>在地面上和面板中修改区域（%1）</translation>
+    </message>
 </context>
 <context>
     <name>tessera::desktop::WindowPanels</name>
@@ -2489,6 +2752,10 @@
     <message>
         <source>Tiles</source>
         <translation>地板砖</translation>
+    </message>
+    <message>
+        <source>Zones</source>
+        <translation>区域</translation>
     </message>
 </context>
 <context>
@@ -2961,6 +3228,29 @@
     </message>
 </context>
 <context>
+    <name>tessera::ui::CornerModel</name>
+    <message>
+        <source>Length of the edge to the next corner</source>
+        <translation>到下一个角点的边长</translation>
+    </message>
+    <message>
+        <source>Place in the site, in centimetres</source>
+        <translation>在场地中的位置，单位厘米</translation>
+    </message>
+    <message>
+        <source>x (cm)</source>
+        <translation>x (cm)</translation>
+    </message>
+    <message>
+        <source>y (cm)</source>
+        <translation>y (cm)</translation>
+    </message>
+    <message>
+        <source>Edge (cm)</source>
+        <translation>边长 (cm)</translation>
+    </message>
+</context>
+<context>
     <name>tessera::ui::DayBar</name>
     <message>
         <source>&amp;Day:</source>
@@ -3173,6 +3463,111 @@
     <message>
         <source>Go back to &amp;now</source>
         <translation>返回现在(&amp;N)</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::FaultModel</name>
+    <message>
+        <source>%1
+Can be mended: %2.</source>
+        <translation>%1
+可以修正：%2。</translation>
+    </message>
+    <message>
+        <source>Error: %1</source>
+        <translation>错误：%1</translation>
+    </message>
+    <message>
+        <source>Warning: %1</source>
+        <translation>警告：%1</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::FaultPanel</name>
+    <message>
+        <source>Checking…</source>
+        <translation>正在检查…</translation>
+    </message>
+    <message>
+        <source>The site is being checked…</source>
+        <translation>正在检查场地…</translation>
+    </message>
+    <message>
+        <source>No faults found.</source>
+        <translation>没有发现问题。</translation>
+    </message>
+    <message>
+        <source>Faults of the other kind are hidden.</source>
+        <translation>另一类问题已隐藏。</translation>
+    </message>
+    <message>
+        <source>For some faults there is an edit that mends them.</source>
+        <translation>有些问题可以通过一次编辑来修正。</translation>
+    </message>
+    <message>
+        <source>The site has changed meanwhile: nothing was mended.</source>
+        <translation>场地在此期间已改变：没有修正任何内容。</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>Faults (%1)</source>
+        <translation>问题（%1）</translation>
+    </message>
+    <message>
+        <source>No faults</source>
+        <translation>没有问题</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n error(s)</source>
+        <translation>
+            <numerusform>%n 个错误</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warning(s)</source>
+        <translation>
+            <numerusform>%n 个警告</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>errors, warnings</comment>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>Errors (%1)</source>
+        <translation>错误（%1）</translation>
+    </message>
+    <message>
+        <source>Warnings (%1)</source>
+        <translation>警告（%1）</translation>
+    </message>
+    <message>
+        <source>List what keeps the site from being used, or leads vehicles wrongly</source>
+        <translation>列出使场地无法使用或会引错车辆的问题</translation>
+    </message>
+    <message>
+        <source>List what somebody should look at</source>
+        <translation>列出应有人查看的问题</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>显示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show the place on the floor (Enter)</source>
+        <translation>在地面上显示该处（Enter）</translation>
+    </message>
+    <message>
+        <source>&amp;Mend</source>
+        <translation>修正(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Faults of the site</source>
+        <translation>场地的问题</translation>
     </message>
 </context>
 <context>
@@ -4380,16 +4775,36 @@ x %2 m，y %3 m</translation>
         <translation>长度和时间</translation>
     </message>
     <message>
-        <source>Length divided by speed; turning at corners comes on top.</source>
-        <translation>长度除以速度；拐角处的转向时间另计。</translation>
-    </message>
-    <message>
         <source>Control points every</source>
         <translation>控制点间距</translation>
     </message>
     <message>
         <source>Time when driven at</source>
         <translation>按此速度估算时间</translation>
+    </message>
+    <message>
+        <source>As %1 drives it at that speed: with its ramps, its top speed and its turns on the spot at corners.</source>
+        <translation>按%1以该速度行驶：包括加减速、最高速度和拐角处的原地转向。</translation>
+    </message>
+    <message>
+        <source>Length divided by speed. Choose a vehicle for the time with its ramps and turns.</source>
+        <translation>长度除以速度。选择一辆车可得到包括加减速和转向的时间。</translation>
+    </message>
+    <message>
+        <source>&amp;Join</source>
+        <translation>连接(&amp;J)</translation>
+    </message>
+    <message>
+        <source>Make one route of this one and another whose end touches</source>
+        <translation>与端点相接的另一条路径合为一条</translation>
+    </message>
+    <message>
+        <source>&amp;Split</source>
+        <translation>拆分(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Make two routes of this one, at the chosen vertex</source>
+        <translation>在所选顶点处把路径分为两条</translation>
     </message>
 </context>
 <context>
@@ -4459,37 +4874,12 @@ x %2 m，y %3 m</translation>
         <translation>从此处绘制新路径(&amp;N)</translation>
     </message>
     <message>
-        <source>%1 m, %2°</source>
-        <comment>length and bearing of a leg</comment>
-        <translation>%1 m，%2°</translation>
+        <source>&amp;Split route here</source>
+        <translation>在此拆分路径(&amp;S)</translation>
     </message>
     <message>
-        <source>x %1 m, y %2 m</source>
-        <translation>x %1 m，y %2 m</translation>
-    </message>
-    <message>
-        <source>vertex</source>
-        <translation>顶点</translation>
-    </message>
-    <message>
-        <source>tag</source>
-        <translation>标签</translation>
-    </message>
-    <message>
-        <source>tile corner</source>
-        <translation>地板砖角点</translation>
-    </message>
-    <message>
-        <source>tile middle</source>
-        <translation>地板砖中心</translation>
-    </message>
-    <message>
-        <source>tile edge</source>
-        <translation>地板砖边缘</translation>
-    </message>
-    <message>
-        <source>45° steps</source>
-        <translation>45° 步进</translation>
+        <source>&amp;Join with “%1”</source>
+        <translation>与“%1”连接(&amp;J)</translation>
     </message>
 </context>
 <context>
@@ -6007,6 +6397,177 @@ Speed %3 m/s, commanded %4 m/s</source>
     <message>
         <source>Leg (m)</source>
         <translation>路段 (m)</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::ZonePanel</name>
+    <message>
+        <source>&amp;New zone</source>
+        <translation>新建区域(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Draw another zone of the chosen one&apos;s kind on the floor; the arrow: of another kind</source>
+        <translation>在地面上再画一个与所选区域同类的区域；箭头：其他类型</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>重命名(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Rename the zone</source>
+        <translation>重命名区域</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate</source>
+        <translation>复制(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Make another zone of the same shape</source>
+        <translation>制作一个形状相同的区域</translation>
+    </message>
+    <message>
+        <source>&amp;Delete zone</source>
+        <translation>删除区域(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Delete the zone</source>
+        <translation>删除区域</translation>
+    </message>
+    <message>
+        <source>&amp;Insert corner</source>
+        <translation>插入角点(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Insert a corner after the chosen one</source>
+        <translation>在所选角点之后插入角点</translation>
+    </message>
+    <message>
+        <source>Delete &amp;corner</source>
+        <translation>删除角点(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Delete the chosen corner</source>
+        <translation>删除所选角点</translation>
+    </message>
+    <message>
+        <source>This site has no zone yet. A running zone says where vehicles may drive, other kinds restrict them: drag a rectangle on the floor, or click the corners.</source>
+        <translation>此场地还没有区域。行驶区域规定车辆可以在哪里行驶，其他类型对其加以限制：在地面上拖出矩形，或点击各个角点。</translation>
+    </message>
+    <message>
+        <source>Draw a &amp;zone</source>
+        <translation>绘制区域(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Zones</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>Corners of the zone</source>
+        <translation>区域的角点</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Highest speed</source>
+        <translation>最高速度</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Counter-clockwise from x: 0° leads to the right, 90° upwards</source>
+        <translation>从 x 轴逆时针：0° 向右，90° 向上</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>面积</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::ZoneTool</name>
+    <message>
+        <source>Release where the opposite corner is to be. Alt: no snapping. Esc: drop it.</source>
+        <translation>在对角处松开。Alt：不吸附。Esc：放弃。</translation>
+    </message>
+    <message>
+        <source>Shift: in steps of 45°. Alt: no snapping. Esc: leave it where it was.</source>
+        <translation>Shift：45° 步进。Alt：不吸附。Esc：保持原位。</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle, or click the zone&apos;s corners one by one. Esc: stop drawing.</source>
+        <translation>拖出矩形，或依次点击区域的角点。Esc：停止绘制。</translation>
+    </message>
+    <message>
+        <source>Click the next corner. First corner, double-click or Enter: finish. Backspace: one back. Shift: 45°. Alt: no snapping.</source>
+        <translation>点击下一个角点。第一个角点、双击或 Enter：完成。Backspace：退回一个。Shift：45°。Alt：不吸附。</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the corner by 1 cm, with Shift by 10 cm. Del removes it.</source>
+        <translation>方向键移动角点 1 cm，加 Shift 为 10 cm。Del 删除。</translation>
+    </message>
+    <message>
+        <source>Drag a corner, a circle on an edge, or the inside. Click again: the zone below. Del removes the zone.</source>
+        <translation>拖动角点、边上的圆圈或内部。再次点击：下面的区域。Del 删除区域。</translation>
+    </message>
+    <message>
+        <source>Click a zone to change it, or draw a new one.</source>
+        <translation>点击区域进行修改，或绘制新的区域。</translation>
+    </message>
+    <message>
+        <source>&amp;Finish zone</source>
+        <translation>完成区域(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove last corner</source>
+        <translation>去掉最后一个角点(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Drop zone</source>
+        <translation>放弃区域(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Kind</source>
+        <translation>类型(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Delete corner</source>
+        <translation>删除角点(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Insert corner here</source>
+        <translation>在此插入角点(&amp;I)</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate zone</source>
+        <translation>复制区域(&amp;U)</translation>
+    </message>
+    <message>
+        <source>De&amp;lete zone</source>
+        <translation>删除区域(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Draw &amp;new zone from here</source>
+        <translation>从此处绘制新区域(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Click: finish the zone</source>
+        <translation>点击：完成区域</translation>
+    </message>
+    <message>
+        <source>%1 × %2 m</source>
+        <comment>width and height</comment>
+        <translation>%1 × %2 m</translation>
     </message>
 </context>
 </TS>

@@ -14,4 +14,10 @@ void Selection::setRoute(const QString& route) {
   Q_EMIT routeChanged();
 }
 
+void Selection::setZone(const QString& zone) {
+  if (zone == zone_) return;
+  zone_ = zone;
+  Q_EMIT zoneChanged();
+}
+
 }  // namespace tessera::ui

@@ -1,4 +1,4 @@
-// Which vehicle and which route the operator means: one choice that floor, lists, charts and buttons share.
+// Which vehicle, route and zone the operator means: one choice that floor, lists, charts and buttons share.
 #pragma once
 
 #include <QObject>
@@ -17,17 +17,22 @@ public:
   [[nodiscard]] std::optional<VehicleId> vehicle() const { return vehicle_; }
   /// Name of a route of the site; empty: none.
   [[nodiscard]] const QString& route() const { return route_; }
+  /// Name of a zone of the site; empty: none.
+  [[nodiscard]] const QString& zone() const { return zone_; }
 
   void setVehicle(std::optional<VehicleId> vehicle);
   void setRoute(const QString& route);
+  void setZone(const QString& zone);
 
 Q_SIGNALS:
   void vehicleChanged();
   void routeChanged();
+  void zoneChanged();
 
 private:
   std::optional<VehicleId> vehicle_;
   QString route_;
+  QString zone_;
 };
 
 }  // namespace tessera::ui

@@ -218,7 +218,9 @@ void FloorCanvas::showToolTip(QPoint pixel, QPoint global) {
   QString text;
   const QLocale locale;
   const auto place = [&locale](Metres m) { return locale.toString(m.value(), 'f', 3); };
-  if (const auto id = vehicleAt(pixel)) {
+  if (const FloorMark* mark = layers_.faults ? markAt(marks_, view_, pixel) : nullptr) {
+    text = mark->sentence;
+  } else if (const auto id = vehicleAt(pixel)) {
     const supervisor::VehicleView& v = *fleet_.snapshot()->find(*id);
     text = tr("%1\nx %2 m, y %3 m, %4 m/s")
                .arg(QString::fromStdString(v.name), place(v.pose.position.x), place(v.pose.position.y),

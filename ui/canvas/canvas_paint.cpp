@@ -107,6 +107,11 @@ void FloorCanvas::paintLive(QPainter& painter, const QRegion& region) {
   }
   for (const VehicleMark& mark : seen) sprites_.paintLabel(painter, view_, theme_, mark);
   if (sprites_.isPending()) drawing_.start();
+  if (layers_.faults && !marks_.empty()) {
+    painter.save();
+    paintMarks(painter, view_, theme_, marks_, chosenMark_);
+    painter.restore();
+  }
   if (tool_) {
     painter.save();
     tool_->paint(painter, toolScene(), theme_);

@@ -13,6 +13,7 @@
 
 #include "ui/canvas/canvas_tool.h"
 #include "ui/canvas/fleet_layer.h"
+#include "ui/canvas/floor_marks.h"
 #include "ui/canvas/ground_layer.h"
 #include "ui/canvas/vehicle_sprites.h"
 
@@ -31,6 +32,9 @@ public:
   void setSnapshot(std::shared_ptr<const supervisor::Snapshot> snapshot);
   void setSelectedVehicle(std::optional<VehicleId> vehicle);
   void setSelectedRoute(const QString& route);
+  /// What is wrong on the floor, and which of it is looked at.
+  void setMarks(std::vector<FloorMark> marks, std::optional<std::size_t> chosen);
+  [[nodiscard]] const std::vector<FloorMark>& marked() const { return marks_; }
   /// Nullptr: none. The canvas does not own it.
   void setTool(CanvasTool* tool);
   [[nodiscard]] CanvasTool* tool() const { return tool_; }
@@ -57,6 +61,8 @@ public Q_SLOTS:
   void zoomOut();
   void fit();
   void centreOn(tessera::Point place);
+  /// Into the middle of the window, and near enough to see it, but not so near that it has no room.
+  void showPlace(const tessera::ui::SiteBox& place);
 
 Q_SIGNALS:
   /// Site coordinates under the cursor; nullopt: it left the canvas.
@@ -126,6 +132,8 @@ private:
   GroundLayer ground_;
   FleetLayer fleet_;
   VehicleSprites sprites_;
+  std::vector<FloorMark> marks_;
+  std::optional<std::size_t> chosenMark_;
   QPointer<CanvasTool> tool_;
   std::optional<VehicleId> vehicle_;
   QString route_;

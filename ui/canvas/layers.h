@@ -10,6 +10,7 @@ struct CanvasLayers {
   bool trails = true;
   bool uncertainty = true;
   bool grid = true;
+  bool faults = true;
   bool operator==(const CanvasLayers&) const = default;
 };
 

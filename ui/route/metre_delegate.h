@@ -4,7 +4,7 @@
 #include <QDoubleSpinBox>
 #include <QStyledItemDelegate>
 
-#include "ui/route/route_edits.h"
+#include "ui/base/tidy.h"
 
 namespace tessera::ui {
 
@@ -16,7 +16,7 @@ public:
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& /*option*/,
                         const QModelIndex& /*index*/) const override {
     auto* box = new QDoubleSpinBox{parent};
-    const double most = RouteEdits::kFarthest.value();
+    const double most = kFarthest.value();
     box->setObjectName("metreEditor");
     box->setFrame(false);
     box->setDecimals(3);

@@ -1,7 +1,6 @@
 #include "ui/route/route_edits.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace tessera::ui {
 namespace {
@@ -15,14 +14,6 @@ floor::Route* routeIn(floor::Site& site, const std::string& name) {
 tl::unexpected<Error> sentence(const QString& text) { return failure(text.toStdString()); }
 
 }  // namespace
-
-Point tidy(Point p) {
-  const auto millimetres = [](Metres m) {
-    const double most = RouteEdits::kFarthest.value();
-    return Metres{std::clamp(std::round(m.value() * 1000.0) / 1000.0, -most, most) + 0.0};
-  };
-  return {millimetres(p.x), millimetres(p.y)};
-}
 
 const floor::Route* RouteEdits::find(const QString& name) const {
   return name.isEmpty() ? nullptr : document_.map()->route(name.toStdString());
@@ -53,15 +44,19 @@ Result<QString> RouteEdits::add(std::vector<Point> vertices) {
   return name;
 }
 
+// The name must stay within what a site file holds.
+QString RouteEdits::freeNameLike(const QString& route, const QString& first, const QString& later) const {
+  QString stem = route;
+  while (stem.toUtf8().size() > kLongestName - 30) stem.chop(1);
+  QString name = first.arg(stem);
+  for (int n = 2; find(name) != nullptr; ++n) name = later.arg(stem, QString::number(n));
+  return name;
+}
+
 Result<QString> RouteEdits::duplicate(const QString& route) {
   const floor::Route* from = find(route);
   if (from == nullptr) return sentence(tr("There is no route called “%1” any more.").arg(route));
-  // The name must stay within what a site file holds.
-  QString stem = route;
-  while (stem.toUtf8().size() > kLongestName - 30) stem.chop(1);
-  QString name;
-  for (int n = 1; name.isEmpty() || find(name) != nullptr; ++n)
-    name = n == 1 ? tr("%1 (copy)").arg(stem) : tr("%1 (copy %2)").arg(stem, QString::number(n));
+  const QString name = freeNameLike(route, tr("%1 (copy)"), tr("%1 (copy %2)"));
   floor::Route copy = *from;
   copy.name = name.toStdString();
   const auto done = document_.edit(tr("Duplicate %1").arg(route), [&](floor::Site& site) {

@@ -3,10 +3,12 @@
 
 #include <QCoreApplication>
 #include <QString>
+#include <QStringList>
 #include <optional>
 #include <vector>
 
 #include "ui/base/site_document.h"
+#include "ui/base/tidy.h"
 
 namespace tessera::ui {
 
@@ -14,7 +16,6 @@ namespace tessera::ui {
 class RouteEdits {
   Q_DECLARE_TR_FUNCTIONS(RouteEdits)
 public:
-  static constexpr Metres kFarthest{100'000.0};  ///< coordinates that a site file may hold
   static constexpr Metres kLeastSpacing{0.01};
   static constexpr Metres kMostSpacing{10.0};
   static constexpr std::size_t kMostVertices = 10'000;
@@ -34,6 +35,13 @@ public:
   /// Error: a name that is empty, too long or taken.
   Result<void> rename(const QString& route, const QString& to);
   Result<void> reverse(const QString& route);
+  /// Other routes that begin or end where this one does, in the site's order.
+  [[nodiscard]] QStringList touching(const QString& route) const;
+  /// The other route becomes part of this one, turned round where it has to be; where both ends of both touch, it comes
+  /// behind this one. Error: their ends do not touch.
+  Result<void> join(const QString& route, const QString& other);
+  /// The part behind the vertex becomes a route of its own, whose name it returns. Error: no vertex between two others.
+  Result<QString> split(const QString& route, std::size_t vertex);
   Result<void> setSpacing(const QString& route, Metres spacing, int mergeKey = 0);
   /// mergeKey: see SiteDocument::edit.
   Result<void> moveVertex(const QString& route, std::size_t vertex, Point to, int mergeKey = 0);
@@ -44,13 +52,11 @@ public:
 
 private:
   [[nodiscard]] QString freeName(const QString& pattern) const;
+  [[nodiscard]] QString freeNameLike(const QString& route, const QString& first, const QString& later) const;
   Result<void> change(const QString& step, const QString& route, const std::function<void(floor::Route&)>& what,
                       int mergeKey = 0);
 
   SiteDocument& document_;
 };
-
-/// To the millimetre within what a site file holds: what is drawn can be read in the table.
-[[nodiscard]] Point tidy(Point p);
 
 }  // namespace tessera::ui

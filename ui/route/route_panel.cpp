@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QLocale>
+#include <QMenu>
 #include <QStackedWidget>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -14,6 +15,7 @@
 #include <cmath>
 
 #include "base/polyline.h"
+#include "drive/travel_time.h"
 #include "ui/base/wording.h"
 
 namespace tessera::ui {
@@ -21,6 +23,7 @@ namespace {
 
 constexpr int kNameRole = Qt::UserRole;  // the name as the document has it, while the item's text is being edited
 constexpr int kFirstSpacingKey = 2'000'000;
+constexpr Seconds kUsualDelay{0.25};  // of commands to one of a few vehicles on a channel of their own
 
 }  // namespace
 
@@ -44,6 +47,7 @@ RoutePanel::RoutePanel(SiteDocument& document, Selection& selection, QWidget* pa
     ++spacingKey_;
     refreshList();
   });
+  connect(&selection_, &Selection::vehicleChanged, this, &RoutePanel::refreshTime);
   connect(vertices_, &VertexModel::refused, this, &RoutePanel::refused);
   retranslate();
   refreshList();
@@ -91,16 +95,33 @@ void RoutePanel::refreshDetails() {
   if (route != nullptr) spacing_->setValue(route->controlSpacing.value());
   filling_ = false;
   if (current && *current < static_cast<std::size_t>(vertices_->rowCount()) && !currentVertex()) setVertex(current);
-  const auto vertex = currentVertex();
-  insertVertex_->setEnabled(route != nullptr);
-  deleteVertex_->setEnabled(route != nullptr && vertex && vertices_->rowCount() > 2);
+  refreshActions();
+  refreshTime();
+}
+
+void RoutePanel::refreshTime() {
+  const floor::Route* route = edits_.find(selection_.route());
   if (route == nullptr) {
     length_->setText({});
     return;
   }
   const QLocale locale;
+  const MetresPerSecond speed{speed_->value()};
   const Metres way = Polyline{route->vertices}.length();
-  const double seconds = std::round(way.value() / speed_->value());
+  Seconds time = way / speed;
+  const auto chosen = selection_.vehicle();
+  const floor::VehicleSetup* vehicle = chosen ? document_.map()->vehicle(*chosen) : nullptr;
+  if (vehicle != nullptr) {
+    drive::SpeedPlanOptions plan;
+    plan.requested = speed;
+    time = drive::travelTime(*route, drive::abilityOf(*vehicle), plan, kUsualDelay);
+  }
+  length_->setToolTip(
+      vehicle != nullptr
+          ? tr("As %1 drives it at that speed: with its ramps, its top speed and its turns on the spot at corners.")
+                .arg(QString::fromStdString(vehicle->name))
+          : tr("Length divided by speed. Choose a vehicle for the time with its ramps and turns."));
+  const double seconds = std::round(time.value());
   const QString metres = locale.toString(way.value(), 'f', 2);
   if (seconds < 100.0) {
     length_->setText(tr("%1 m, about %2 s").arg(metres, locale.toString(seconds, 'f', 0)));
@@ -109,6 +130,21 @@ void RoutePanel::refreshDetails() {
                          .arg(metres, locale.toString(std::floor(seconds / 60.0), 'f', 0),
                               locale.toString(std::fmod(seconds, 60.0), 'f', 0)));
   }
+}
+
+void RoutePanel::refreshActions() {
+  const bool any = edits_.find(selection_.route()) != nullptr;
+  const auto vertex = currentVertex();
+  const auto count = static_cast<std::size_t>(vertices_->rowCount());
+  insertVertex_->setEnabled(any);
+  deleteVertex_->setEnabled(any && vertex && count > 2);
+  split_->setEnabled(any && vertex && *vertex > 0 && *vertex + 1 < count);
+  join_->menu()->clear();
+  for (const QString& other : edits_.touching(selection_.route())) {
+    QAction* action = join_->menu()->addAction(QString{other}.replace(QLatin1Char('&'), QLatin1String("&&")));
+    connect(action, &QAction::triggered, this, [this, other] { tell(edits_.join(selection_.route(), other)); });
+  }
+  join_->setEnabled(!join_->menu()->isEmpty());
 }
 
 void RoutePanel::renamed(QListWidgetItem* item) {
@@ -129,7 +165,7 @@ void RoutePanel::setVertex(std::optional<std::size_t> vertex) {
     table_->setCurrentIndex({});
   }
   filling_ = false;
-  deleteVertex_->setEnabled(currentVertex() && vertices_->rowCount() > 2);
+  refreshActions();
 }
 
 std::optional<std::size_t> RoutePanel::currentVertex() const {
@@ -170,6 +206,19 @@ void RoutePanel::deleteVertex() {
   const auto vertex = currentVertex();
   if (!vertex) return;
   tell(edits_.removeVertex(selection_.route(), *vertex));
+}
+
+// By the button or the menu itself: only where there is no choice to make.
+void RoutePanel::join() {
+  const QStringList others = edits_.touching(selection_.route());
+  if (others.size() == 1) tell(edits_.join(selection_.route(), others.front()));
+}
+
+void RoutePanel::split() {
+  const auto vertex = currentVertex();
+  if (!vertex) return;
+  const auto rest = edits_.split(selection_.route(), *vertex);
+  if (!rest) tell(tl::unexpected{rest.error()});
 }
 
 void RoutePanel::duplicate() {

@@ -53,6 +53,10 @@ private:
   void insertVertex();
   void deleteVertex();
   void duplicate();
+  void join();
+  void split();
+  void refreshActions();
+  void refreshTime();
   void tell(const Result<void>& result);
   [[nodiscard]] std::optional<std::size_t> currentVertex() const;
 
@@ -78,6 +82,8 @@ private:
   QAction* rename_ = nullptr;
   QAction* duplicate_ = nullptr;
   QAction* reverse_ = nullptr;
+  QAction* join_ = nullptr;
+  QAction* split_ = nullptr;
   QAction* delete_ = nullptr;
   QAction* insertVertex_ = nullptr;
   QAction* deleteVertex_ = nullptr;

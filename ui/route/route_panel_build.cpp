@@ -5,11 +5,13 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QListWidget>
+#include <QMenu>
 #include <QPushButton>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QTableView>
 #include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "ui/base/icon.h"
@@ -28,6 +30,9 @@ void RoutePanel::makeActions() {
   rename_ = make("renameRouteAction", "rename");
   duplicate_ = make("duplicateRouteAction", "duplicate");
   reverse_ = make("reverseRouteAction", "reverse");
+  join_ = make("joinRouteAction", "join");
+  join_->setMenu(new QMenu{this});
+  split_ = make("splitRouteAction", "split");
   delete_ = make("deleteRouteAction", "delete");
   insertVertex_ = make("insertVertexAction", "add");
   deleteVertex_ = make("deleteVertexAction", "delete");
@@ -41,6 +46,8 @@ void RoutePanel::makeActions() {
   connect(rename_, &QAction::triggered, this, &RoutePanel::startRenaming);
   connect(duplicate_, &QAction::triggered, this, &RoutePanel::duplicate);
   connect(reverse_, &QAction::triggered, this, [this] { tell(edits_.reverse(selection_.route())); });
+  connect(join_, &QAction::triggered, this, &RoutePanel::join);
+  connect(split_, &QAction::triggered, this, &RoutePanel::split);
   connect(delete_, &QAction::triggered, this, [this] { tell(edits_.remove(selection_.route())); });
   connect(insertVertex_, &QAction::triggered, this, &RoutePanel::insertVertex);
   connect(deleteVertex_, &QAction::triggered, this, &RoutePanel::deleteVertex);
@@ -74,13 +81,15 @@ QWidget* RoutePanel::makeListPage() {
   routeBar_ = new QToolBar;
   const int side = fontMetrics().height() + 2;
   routeBar_->setIconSize({side, side});
-  routeBar_->addActions({draw_, rename_, duplicate_, reverse_, delete_});
+  routeBar_->addActions({draw_, rename_, duplicate_, reverse_, join_, delete_});
+  if (auto* button = qobject_cast<QToolButton*>(routeBar_->widgetForAction(join_)))
+    button->setPopupMode(QToolButton::InstantPopup);
   list_ = new QListWidget;
   list_->setObjectName("routeList");
   list_->setMinimumHeight(2 * fontMetrics().height() + 8);
   list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   list_->setContextMenuPolicy(Qt::ActionsContextMenu);
-  list_->addActions({rename_, duplicate_, reverse_, delete_});
+  list_->addActions({rename_, duplicate_, reverse_, join_, delete_});
   connect(list_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
     if (!filling_ && item != nullptr) selection_.setRoute(item->text());
   });
@@ -102,7 +111,7 @@ QWidget* RoutePanel::makeDetails() {
   const int side = fontMetrics().height() + 2;
   vertexBar_->setIconSize({side, side});
   vertexBar_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  vertexBar_->addActions({insertVertex_, deleteVertex_});
+  vertexBar_->addActions({insertVertex_, deleteVertex_, split_});
   table_ = new QTableView;
   table_->setObjectName("vertexTable");
   table_->setMinimumHeight(4 * fontMetrics().height());
@@ -113,9 +122,9 @@ QWidget* RoutePanel::makeDetails() {
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
   table_->setContextMenuPolicy(Qt::ActionsContextMenu);
-  table_->addActions({insertVertex_, deleteVertex_});
+  table_->addActions({insertVertex_, deleteVertex_, split_});
   connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
-    deleteVertex_->setEnabled(currentVertex() && vertices_->rowCount() > 2);
+    refreshActions();
     if (!filling_) Q_EMIT vertexSelected(currentVertex());
   });
   const auto makeBox = [](const char* name, double low, double high, double step) {
@@ -133,7 +142,7 @@ QWidget* RoutePanel::makeDetails() {
   });
   speed_ = makeBox("estimateSpeed", 0.01, 20.0, 0.05);
   speed_->setValue(0.20);
-  connect(speed_, &QDoubleSpinBox::valueChanged, this, &RoutePanel::refreshDetails);
+  connect(speed_, &QDoubleSpinBox::valueChanged, this, &RoutePanel::refreshTime);
   spacingLabel_ = new QLabel;
   spacingLabel_->setBuddy(spacing_);
   speedLabel_ = new QLabel;
@@ -168,6 +177,8 @@ void RoutePanel::retranslate() {
   name(rename_, tr("Re&name"), tr("Rename the route"));
   name(duplicate_, tr("D&uplicate"), tr("Make another route of the same vertices"));
   name(reverse_, tr("&Reverse"), tr("Drive the route the other way round"));
+  name(join_, tr("&Join"), tr("Make one route of this one and another whose end touches"));
+  name(split_, tr("&Split"), tr("Make two routes of this one, at the chosen vertex"));
   name(delete_, tr("&Delete route"), tr("Delete the route"));
   name(insertVertex_, tr("&Insert vertex"), tr("Insert a vertex after the chosen one"));
   name(deleteVertex_, tr("Delete &vertex"), tr("Delete the chosen vertex"));
@@ -180,7 +191,6 @@ void RoutePanel::retranslate() {
   speed_->setSuffix(tr(" m/s"));
   speed_->setToolTip(tr("For the driving time shown below; each run has a speed of its own"));
   lengthLabel_->setText(tr("Length and time"));
-  length_->setToolTip(tr("Length divided by speed; turning at corners comes on top."));
 }
 
 }  // namespace tessera::ui

@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/base/wording.h"
 #include "ui/canvas/route_painter.h"

@@ -7,8 +7,9 @@
 
 #include "ui/base/selection.h"
 #include "ui/canvas/canvas_tool.h"
+#include "ui/canvas/floor_marks.h"
+#include "ui/canvas/snapper.h"
 #include "ui/route/route_edits.h"
-#include "ui/route/snapper.h"
 
 class QMenu;
 
@@ -28,6 +29,11 @@ public:
   /// Of the chosen route.
   [[nodiscard]] std::optional<std::size_t> vertex() const { return vertex_; }
   void setVertex(std::optional<std::size_t> vertex);
+  /// The route as it would be if the gesture ended here; nullopt: nothing is being drawn or dragged.
+  [[nodiscard]] std::optional<floor::Route> trial() const;
+  /// What would be wrong with it: marked on the floor, said beside the cursor.
+  void setTrialFaults(std::vector<FloorMark> faults);
+  [[nodiscard]] const std::vector<FloorMark>& trialFaults() const { return trialFaults_; }
 
   bool mousePressed(const ToolMouse& mouse, const CanvasScene& scene) override;
   bool mouseMoved(const ToolMouse& mouse, const CanvasScene& scene) override;
@@ -89,9 +95,9 @@ private:
   void forgetUnfinished();
   void tell(const Result<void>& result);
   void touch();
+  [[nodiscard]] QStringList wrong() const;
   void paintDraft(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme);
   void paintHandles(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme, const floor::Route& shown);
-  void paintSnap(QPainter& painter, const View& view, const CanvasTheme& theme) const;
 
   SiteDocument& document_;
   Selection& selection_;
@@ -105,6 +111,7 @@ private:
   Hit hover_;
   std::optional<std::size_t> vertex_;
   std::optional<Drag> drag_;
+  std::vector<FloorMark> trialFaults_;
   bool editing_ = false;  ///< the document changes by our own hand
   int nudges_;            ///< merge key of the nudges in a row
 };

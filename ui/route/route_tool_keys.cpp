@@ -170,6 +170,12 @@ void RouteTool::fillRouteMenu(QMenu& menu, const ToolMouse& mouse, const CanvasS
     setVertex(hit.index);
     menu.addAction(tr("&Delete vertex"), this, [this, n = hit.index] { removeVertex(n); })
         ->setEnabled(chosen->vertices.size() > 2);
+    menu.addAction(tr("&Split route here"), this,
+                   [this, name, n = hit.index] {
+                     const auto rest = edits_.split(name, n);
+                     if (!rest) tell(tl::unexpected{rest.error()});
+                   })
+        ->setEnabled(hit.index > 0 && hit.index + 1 < chosen->vertices.size());
   } else if (leg) {
     menu.addAction(tr("&Insert vertex here"), this, [this, name, n = *leg + 1, place = snapAt(mouse, scene).place] {
       const auto done = edits_.insertVertex(name, n, place);
@@ -179,6 +185,9 @@ void RouteTool::fillRouteMenu(QMenu& menu, const ToolMouse& mouse, const CanvasS
   }
   if (hit.kind != Hit::Kind::None || leg) {
     menu.addAction(tr("&Reverse route"), this, [this, name] { tell(edits_.reverse(name)); });
+    for (const QString& other : edits_.touching(name))
+      menu.addAction(tr("&Join with “%1”").arg(QString{other}.replace(QLatin1Char('&'), QLatin1String("&&"))), this,
+                     [this, name, other] { tell(edits_.join(name, other)); });
     menu.addAction(tr("D&uplicate route"), this, [this, name] {
       if (const auto copy = edits_.duplicate(name)) selection_.setRoute(*copy);
     });

@@ -1,11 +1,9 @@
-// What the route tool shows: the unfinished route with its rubber band, the handles of the chosen one, the numbers.
+// What the route tool shows: the unfinished route with its rubber band, the handles of the chosen one, the numbers, and
+// what is wrong with it.
 #include <QFontMetricsF>
-#include <QLocale>
-#include <algorithm>
-#include <cmath>
 
-#include "floor/bearing.h"
 #include "ui/canvas/clip.h"
+#include "ui/canvas/readout.h"
 #include "ui/canvas/route_painter.h"
 #include "ui/route/route_tool.h"
 
@@ -14,69 +12,6 @@ namespace {
 
 constexpr double kHandle = 5.5;
 constexpr double kLegHandleFrom = 44.0;
-
-// "1.20 m, 090°": how long the way is and where it leads, clockwise from north.
-QString legText(Point from, Point to, Radians northToY) {
-  double bearing = std::round(degrees(floor::bearingOfHeading(direction(to - from), northToY)));
-  if (bearing < 0.0) bearing += 360.0;
-  return RouteTool::tr("%1 m, %2°", "length and bearing of a leg")
-      .arg(QLocale().toString(distance(from, to).value(), 'f', 2))
-      .arg(static_cast<int>(bearing) % 360, 3, 10, QLatin1Char('0'));
-}
-
-QString placeText(Point p) {
-  const QLocale locale;
-  return RouteTool::tr("x %1 m, y %2 m")
-      .arg(locale.toString(p.x.value(), 'f', 2), locale.toString(p.y.value(), 'f', 2));
-}
-
-QString kindText(Snap::Kind kind) {
-  switch (kind) {
-    case Snap::Kind::Vertex:
-      return RouteTool::tr("vertex");
-    case Snap::Kind::Tag:
-      return RouteTool::tr("tag");
-    case Snap::Kind::TileCorner:
-      return RouteTool::tr("tile corner");
-    case Snap::Kind::TileMiddle:
-      return RouteTool::tr("tile middle");
-    case Snap::Kind::TileEdge:
-      return RouteTool::tr("tile edge");
-    case Snap::Kind::Direction:
-      return RouteTool::tr("45° steps");
-    case Snap::Kind::None:
-      break;
-  }
-  return {};
-}
-
-// Beside the cursor, and on its other side at the window's edge.
-void paintReadout(QPainter& painter, const View& view, const CanvasTheme& theme, QPointF at, const QStringList& lines) {
-  const QFontMetricsF metrics{painter.font()};
-  double width = 0.0;
-  for (const QString& line : lines) width = std::max(width, metrics.horizontalAdvance(line));
-  const double pad = metrics.height() * 0.4;
-  QRectF panel{at.x() + 18, at.y() + 18, width + 2 * pad, metrics.height() * static_cast<double>(lines.size()) + pad};
-  if (panel.right() > view.size().width()) panel.moveRight(at.x() - 18);
-  if (panel.bottom() > view.size().height()) panel.moveBottom(at.y() - 18);
-  QColor back = theme.panel;
-  back.setAlpha(235);
-  painter.setPen(QPen{theme.grid, 1});
-  painter.setBrush(back);
-  painter.drawRoundedRect(panel, 4, 4);
-  for (qsizetype n = 0; n < lines.size(); ++n) {
-    painter.setPen(n == 0 ? theme.text : theme.quietText);
-    painter.drawText(QPointF{panel.left() + pad,
-                             panel.top() + pad / 2 + metrics.ascent() + metrics.height() * static_cast<double>(n)},
-                     lines[n]);
-  }
-}
-
-void paintHandle(QPainter& painter, QPointF at, double radius, QColor fill, QColor edge) {
-  painter.setPen(QPen{edge, 2.0});
-  painter.setBrush(fill);
-  painter.drawEllipse(at, radius, radius);
-}
 
 }  // namespace
 
@@ -88,7 +23,36 @@ void RouteTool::paint(QPainter& painter, const CanvasScene& scene, const CanvasT
     paintRoute(painter, scene.view, theme, shown, drawing_ ? RouteLook::Quiet : RouteLook::Chosen);
     if (!drawing_) paintHandles(painter, scene, theme, shown);
   }
+  paintMarks(painter, scene.view, theme, trialFaults_, std::nullopt);
   if (drawing_) paintDraft(painter, scene, theme);
+}
+
+std::optional<floor::Route> RouteTool::trial() const {
+  if (drag_ && route() != nullptr) {
+    floor::Route moved = *route();
+    moved.vertices = drag_->vertices;
+    return moved;
+  }
+  if (!drawing_) return std::nullopt;
+  floor::Route drawn{edits_.freeName().toStdString(), draft_, floor::Route{}.controlSpacing};
+  if (pointer_ && !draft_.empty() && draft_.back() != pointer_->place) drawn.vertices.push_back(pointer_->place);
+  return drawn.vertices.size() < 2 ? std::nullopt : std::optional{drawn};
+}
+
+void RouteTool::setTrialFaults(std::vector<FloorMark> faults) {
+  if (faults == trialFaults_) return;
+  trialFaults_ = std::move(faults);
+  Q_EMIT changed();
+}
+
+// The worst two: more would hide the floor that is drawn on.
+QStringList RouteTool::wrong() const {
+  QStringList sentences;
+  for (const bool severe : {true, false}) {
+    for (const FloorMark& fault : trialFaults_)
+      if (fault.severe == severe && sentences.size() < 2) sentences << fault.sentence;
+  }
+  return sentences;
 }
 
 void RouteTool::paintHandles(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme,
@@ -114,14 +78,14 @@ void RouteTool::paintHandles(QPainter& painter, const CanvasScene& scene, const 
   if (!current || *current >= shown.vertices.size()) return;
   ring(*current, 3.0);
   if (!drag_ || !drag_->moved) return;
-  paintSnap(painter, view, theme);
+  if (pointer_) paintSnap(painter, view, theme, *pointer_);
   const Point at = shown.vertices[*current];
   const Radians north = scene.map.site().northToY;
   QStringList lines{placeText(at)};
   if (*current > 0) lines << legText(shown.vertices[*current - 1], at, north);
   if (*current + 1 < shown.vertices.size()) lines << legText(at, shown.vertices[*current + 1], north);
-  if (const QString kind = pointer_ ? kindText(pointer_->kind) : QString{}; !kind.isEmpty()) lines << kind;
-  paintReadout(painter, view, theme, view.toPixel(at), lines);
+  if (const QString kind = pointer_ ? snapText(pointer_->kind) : QString{}; !kind.isEmpty()) lines << kind;
+  paintReadout(painter, view, theme, view.toPixel(at), lines, wrong());
 }
 
 void RouteTool::paintDraft(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme) {
@@ -143,34 +107,9 @@ void RouteTool::paintDraft(QPainter& painter, const CanvasScene& scene, const Ca
     if (draft_.back() != pointer_->place) lines << legText(draft_.back(), pointer_->place, scene.map.site().northToY);
   }
   lines << placeText(pointer_->place);
-  if (const QString kind = kindText(pointer_->kind); !kind.isEmpty()) lines << kind;
-  paintSnap(painter, view, theme);
-  paintReadout(painter, view, theme, view.toPixel(pointer_->place), lines);
-}
-
-void RouteTool::paintSnap(QPainter& painter, const View& view, const CanvasTheme& theme) const {
-  if (!pointer_) return;
-  const QPointF at = view.toPixel(pointer_->place);
-  painter.setPen(QPen{theme.accent, 2.0});
-  painter.setBrush(Qt::NoBrush);
-  switch (pointer_->kind) {
-    case Snap::Kind::Vertex:
-    case Snap::Kind::Tag:
-      painter.drawEllipse(at, 8.0, 8.0);
-      break;
-    case Snap::Kind::TileCorner:
-    case Snap::Kind::TileMiddle:
-      painter.drawRect(QRectF{at.x() - 6, at.y() - 6, 12, 12});
-      break;
-    case Snap::Kind::TileEdge:
-      painter.drawPolygon(QPolygonF{at + QPointF{0, -8}, at + QPointF{8, 0}, at + QPointF{0, 8}, at + QPointF{-8, 0}});
-      break;
-    case Snap::Kind::Direction:
-    case Snap::Kind::None:
-      painter.drawLine(at - QPointF{6, 0}, at + QPointF{6, 0});
-      painter.drawLine(at - QPointF{0, 6}, at + QPointF{0, 6});
-      break;
-  }
+  if (const QString kind = snapText(pointer_->kind); !kind.isEmpty()) lines << kind;
+  paintSnap(painter, view, theme, *pointer_);
+  paintReadout(painter, view, theme, view.toPixel(pointer_->place), lines, wrong());
 }
 
 }  // namespace tessera::ui

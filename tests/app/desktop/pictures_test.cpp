@@ -143,6 +143,31 @@ TEST_F(Pictures, showTheRouteToolWhole) {
   }
 }
 
+TEST_F(Pictures, showZonesAndFaultsWhole) {
+  ASSERT_NO_FATAL_FAILURE(openWindow(false));
+  ASSERT_TRUE(window->files().openDemo());
+  // A no-go zone upon the demo's route: an error with a place.
+  trigger("drawZone");
+  const QPoint from = pixelOf(0.6, 0.6);
+  QTest::mousePress(&window->canvas(), Qt::LeftButton, {}, from);
+  for (int n = 1; n <= 5; ++n) QTest::mouseMove(&window->canvas(), from + (pixelOf(1.2, 1.2) - from) * n / 5);
+  QTest::mouseRelease(&window->canvas(), Qt::LeftButton, {}, pixelOf(1.2, 1.2));
+  trigger("showFaults");
+  auto* faults = find<QAbstractItemView>("faultList");
+  ASSERT_TRUE(until([&] { return faults->model()->rowCount() > 0; }));
+  faults->setCurrentIndex(faults->model()->index(0, 0));
+  for (const Dress& dress : kDresses) {
+    wear(dress);
+    take(*window, QStringLiteral("zones"), dress);
+    trigger("drawRoute");
+    clickFloor(0.3, 0.9);
+    QTest::mouseMove(&window->canvas(), pixelOf(1.5, 0.9));
+    (void)QTest::qWaitFor([] { return false; }, 500);
+    take(*window, QStringLiteral("route-fault"), dress);
+    trigger("editZones");
+  }
+}
+
 TEST_F(Pictures, showRegisteringWhole) {
   const QString path = home.filePath("hall.tessera.json");
   const auto site = floor::layNewFloor({"hall", floor::usualTileTypes().front(), 4, 3, false}).value();

@@ -22,7 +22,7 @@ protected:
     canvas.resize(1000, 800);
     canvas.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&canvas));
-    canvas.setMap(document.map());
+    canvas.openMap(document.map());
     QObject::connect(&document, &SiteDocument::changed, &canvas, [this] { canvas.setMap(document.map()); });
     QObject::connect(&selection, &Selection::routeChanged, &canvas,
                      [this] { canvas.setSelectedRoute(selection.route()); });

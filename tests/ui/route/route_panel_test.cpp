@@ -120,7 +120,7 @@ TEST_F(PanelUnderTest, TakesNoNumberThatASiteCouldNotHold) {
   clickRow(0);
   editCell(1, VertexModel::kY, "abc");
   editCell(1, VertexModel::kY, "99999999");
-  EXPECT_LE(abs(vertex(1).y), RouteEdits::kFarthest);
+  EXPECT_LE(abs(vertex(1).y), kFarthest);
   EXPECT_TRUE(std::isfinite(vertex(1).y.value()));
 }
 

@@ -116,7 +116,7 @@ TEST_F(RouteToolEditing, ReversesAndDeletesByTheMenu) {
   expectAt(vertices("one").front(), 2.0, 2.0);
   choose(0);  // insert here
   EXPECT_EQ(vertices("one").size(), 4U);
-  choose(3);
+  choose(4);  // on the vertex that was inserted: delete it, split there, reverse, duplicate, delete
   EXPECT_EQ(routes(), 0U);
 }
 

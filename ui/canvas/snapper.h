@@ -17,7 +17,7 @@ struct Snap {
 struct SnapWish {
   bool off = false;                 ///< Alt: just there, to the millimetre
   std::optional<Point> from;        ///< Shift: at a multiple of 45 degrees from here
-  std::span<const Point> vertices;  ///< of the route at hand, to close it or to lie over one another
+  std::span<const Point> vertices;  ///< of what is at hand, to close it or to lie over one another
 };
 
 /// What is within kReach pixels counts, vertices before tags before tiles; else a whole centimetre (or more when

@@ -1,14 +1,20 @@
-#include "ui/route/snapper.h"
+#include "ui/canvas/snapper.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "ui/base/tidy.h"
 #include "ui/canvas/furniture.h"
-#include "ui/route/route_edits.h"
 
 namespace tessera::ui {
 namespace {
+
+// 1.8 m and not 1.7999999999999998 m, as sums of tile widths come out.
+Point withoutDust(Point p) {
+  const Point round = tidy(p);
+  return distance(round, p) < Metres{1e-6} ? round : p;
+}
 
 // The nearest of what is offered within reach.
 class Nearest {
@@ -18,7 +24,7 @@ public:
     const Metres away = distance(place, to_);
     if (away > least_) return;
     least_ = away;
-    found_ = Snap{place, kind};
+    found_ = Snap{withoutDust(place), kind};
   }
   [[nodiscard]] const std::optional<Snap>& found() const { return found_; }
 
@@ -33,6 +39,9 @@ std::optional<Snap> nearestVertex(const CanvasScene& scene, Point at, Metres rea
   for (const Point& p : own) nearest.offer(p, Snap::Kind::Vertex);
   for (const floor::Route& route : scene.map.site().routes) {
     for (const Point& p : route.vertices) nearest.offer(p, Snap::Kind::Vertex);
+  }
+  for (const floor::Zone& zone : scene.map.site().zones) {
+    for (const Point& p : zone.outline) nearest.offer(p, Snap::Kind::Vertex);
   }
   return nearest.found();
 }

@@ -1,4 +1,4 @@
-#include "ui/route/snapper.h"
+#include "ui/canvas/snapper.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,79 @@
+// Marks on the floor: seen, switched off, told under the mouse, and gone to.
+#include <gtest/gtest.h>
+
+#include <QTest>
+
+#include "canvas_site.h"
+#include "ui/canvas/floor_canvas.h"
+
+namespace tessera::ui {
+namespace {
+
+SiteBox boxAt(double x, double y, double width, double height) {
+  return {{Metres{x}, Metres{y}}, {Metres{x + width}, Metres{y + height}}};
+}
+
+class MarksUnderTest : public testing::Test {
+protected:
+  void SetUp() override {
+    canvas.resize(800, 600);
+    canvas.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&canvas));
+    canvas.openMap(tiledMap(20, 15));
+  }
+  [[nodiscard]] QImage picture() {
+    canvas.finishDrawing();
+    return canvas.grab().toImage();
+  }
+  [[nodiscard]] QPoint pixel(const SiteBox& box) const { return canvas.view().toPixel(box.centre()).toPoint(); }
+  FloorCanvas canvas;
+};
+
+TEST_F(MarksUnderTest, AreSeenUntilTheirLayerIsSwitchedOff) {
+  const QImage without = picture();
+  const SiteBox place = boxAt(3.0, 3.0, 0.6, 0.6);
+  canvas.setMarks({{place, true, "hole"}}, {});
+  const QImage with = picture();
+  EXPECT_NE(with, without);
+  EXPECT_NE(with.pixelColor(pixel(place) + QPoint{-5, 0}), without.pixelColor(pixel(place) + QPoint{-5, 0}));
+  CanvasLayers layers = canvas.layers();
+  layers.faults = false;
+  canvas.setLayers(layers);
+  EXPECT_EQ(picture(), without);
+}
+
+TEST_F(MarksUnderTest, GoToTheMiddleOfTheWindowNearEnoughToBeSeen) {
+  const SiteBox place = boxAt(10.2, 7.3, 0.0, 0.0);
+  canvas.showPlace(place);
+  EXPECT_LE((pixel(place) - canvas.rect().center()).manhattanLength(), 2);
+  EXPECT_GE(canvas.view().scale(), 60.0);
+  const SiteBox large = boxAt(0.0, 0.0, 12.0, 9.0);
+  canvas.showPlace(large);
+  EXPECT_TRUE(QRectF(canvas.rect()).contains(canvas.view().toPixel(large.low)));
+  EXPECT_TRUE(QRectF(canvas.rect()).contains(canvas.view().toPixel(large.high)));
+}
+
+TEST_F(MarksUnderTest, AreToldUnderTheMouseErrorsFirst) {
+  const SiteBox place = boxAt(3.0, 3.0, 0.0, 0.0);
+  const std::vector<FloorMark> marks{{place, false, "odd"}, {place, true, "wrong"}};
+  ASSERT_NE(markAt(marks, canvas.view(), pixel(place)), nullptr);
+  EXPECT_EQ(markAt(marks, canvas.view(), pixel(place))->sentence, "wrong");
+  EXPECT_EQ(markAt(marks, canvas.view(), pixel(place) + QPoint{30, 0}), nullptr);
+}
+
+// As many as a check tells of one kind: what covers one another is drawn once.
+TEST_F(MarksUnderTest, BearThousandsAndPlacesBeyondReason) {
+  std::vector<FloorMark> marks;
+  for (int n = 0; n < 20'000; ++n)
+    marks.push_back({boxAt(0.001 * (n % 500), 0.001 * (n / 500), 0.1, 0.1), n % 2 == 0, {}});
+  marks.push_back({boxAt(-1e5, -1e5, 2e5, 2e5), true, {}});
+  canvas.setMarks(marks, marks.size() - 1);
+  EXPECT_FALSE(picture().isNull());
+  canvas.showPlace(marks.back().place);
+  EXPECT_FALSE(picture().isNull());
+  canvas.setMarks(marks, marks.size() + 7);
+  EXPECT_FALSE(picture().isNull());
+}
+
+}  // namespace
+}  // namespace tessera::ui

@@ -1,0 +1,34 @@
+// Marks of faults on the canvas, and how it goes to a place.
+#include <algorithm>
+
+#include "ui/canvas/floor_canvas.h"
+
+namespace tessera::ui {
+namespace {
+
+constexpr double kPlaceMargin = 120.0;
+constexpr double kNearest = 400.0;  // pixels per metre: a tile fills the window's height or so
+
+}  // namespace
+
+void FloorCanvas::setMarks(std::vector<FloorMark> marks, std::optional<std::size_t> chosen) {
+  if (marks == marks_ && chosen == chosenMark_) return;
+  marks_ = std::move(marks);
+  chosenMark_ = chosen;
+  update();
+}
+
+void FloorCanvas::showPlace(const SiteBox& place) {
+  if (place.empty()) return;
+  follow(std::nullopt);
+  // From where everything can be seen it goes near; who is near already stays so.
+  View whole = view_;
+  whole.fit(place.grown(Metres{0.3}), kPlaceMargin);
+  const double most = std::min(whole.scale(), kNearest);
+  const double least = std::min(most, 60.0);
+  view_.setScale(std::clamp(view_.scale(), least, most));
+  view_.centreOn(place.centre());
+  viewMoved(true);
+}
+
+}  // namespace tessera::ui

@@ -1,0 +1,31 @@
+// Marks on the floor that point at what is wrong there. Of marks that would cover one another one is drawn.
+#pragma once
+
+#include <QPainter>
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "ui/canvas/theme.h"
+#include "ui/canvas/view.h"
+
+namespace tessera::ui {
+
+struct FloorMark {
+  SiteBox place;  ///< empty: nowhere in particular, so that nothing is drawn
+  bool severe = false;  ///< an error; else a warning
+  QString sentence;     ///< under the mouse
+  bool operator==(const FloorMark& o) const {
+    return place.low == o.place.low && place.high == o.place.high && severe == o.severe && sentence == o.sentence;
+  }
+};
+
+inline constexpr double kMarkReach = 9.0;  ///< pixels from a mark's middle
+
+/// chosen: index of the one that is looked at; it lies on top, with its place framed.
+void paintMarks(QPainter& painter, const View& view, const CanvasTheme& theme, const std::vector<FloorMark>& marks,
+                std::optional<std::size_t> chosen);
+/// The mark whose sign lies under the pixel, errors first; nullptr: none.
+[[nodiscard]] const FloorMark* markAt(const std::vector<FloorMark>& marks, const View& view, QPointF pixel);
+
+}  // namespace tessera::ui
