@@ -205,6 +205,7 @@ void MainWindow::changeEvent(QEvent* event) {
 void MainWindow::retranslate() {
   actions_->retranslate();
   panels_->retranslate();
+  Q_EMIT canvas_->hintChanged(canvas_->tool() != nullptr ? canvas_->tool()->hint() : QString{});
   showSite();
   showFleetState();
 }

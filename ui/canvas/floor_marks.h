@@ -12,7 +12,7 @@
 namespace tessera::ui {
 
 struct FloorMark {
-  SiteBox place;  ///< empty: nowhere in particular, so that nothing is drawn
+  SiteBox place;        ///< empty: nowhere in particular, so that nothing is drawn
   bool severe = false;  ///< an error; else a warning
   QString sentence;     ///< under the mouse
   bool operator==(const FloorMark& o) const {

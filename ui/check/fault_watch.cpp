@@ -8,6 +8,11 @@ FaultWatch::FaultWatch(SiteDocument& document, QObject* parent)
     : QObject{parent}, document_{document}, thread_{[this] {
         QMetaObject::invokeMethod(this, &FaultWatch::take, Qt::QueuedConnection);
       }} {
+  connect(&document_, &SiteDocument::replaced, this, [this] {
+    verdict_ = {};
+    checked_.reset();
+    another_ = true;
+  });
   connect(&document_, &SiteDocument::changed, this, [this] {
     order();
     Q_EMIT changed();
@@ -32,7 +37,8 @@ void FaultWatch::tryRoute(std::optional<floor::Route> route) {
 
 void FaultWatch::take() {
   const auto result = thread_.take();
-  if (result == nullptr) return;
+  if (result == nullptr || (another_ && result->order.site != wanted_.site)) return;
+  another_ = false;
   // A later order may have changed only the route that is tried: the verdict holds all the same.
   const bool news = result->order.site != checked_;
   checked_ = result->order.site;

@@ -36,6 +36,7 @@ private:
   sitecheck::CheckOrder wanted_;
   std::shared_ptr<const floor::Site> checked_;
   sitecheck::Verdict verdict_;
+  bool another_ = false;           ///< a site was opened; what is still found of the one before is of no use
   sitecheck::CheckThread thread_;  // last: nothing comes from it once the others go
 };
 

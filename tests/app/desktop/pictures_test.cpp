@@ -154,7 +154,7 @@ TEST_F(Pictures, showZonesAndFaultsWhole) {
   QTest::mouseRelease(&window->canvas(), Qt::LeftButton, {}, pixelOf(1.2, 1.2));
   trigger("showFaults");
   auto* faults = find<QAbstractItemView>("faultList");
-  ASSERT_TRUE(until([&] { return faults->model()->rowCount() > 0; }));
+  ASSERT_TRUE(until([&] { return faults->model()->index(0, 0).data().toString().contains("no-go"); }));
   faults->setCurrentIndex(faults->model()->index(0, 0));
   for (const Dress& dress : kDresses) {
     wear(dress);

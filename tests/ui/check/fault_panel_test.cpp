@@ -161,6 +161,16 @@ TEST_F(FaultsUnderTest, KeepsTheChosenFaultWhileOthersComeAndGo) {
   EXPECT_TRUE(action("showFault").isEnabled());
 }
 
+TEST_F(FaultsUnderTest, ForgetsWhatWasWrongWithTheSiteBefore) {
+  addRoute({placeAt(0.5, 0.5), placeAt(9, 0.5)});
+  ASSERT_GT(rows(), 0);
+  open(soundSite());
+  EXPECT_EQ(rows(), 0) << "before the new one is checked";
+  EXPECT_TRUE(watch.isChecking());
+  ASSERT_TRUE(settled());
+  EXPECT_EQ(rows(), 0) << all().toStdString();
+}
+
 TEST_F(FaultsUnderTest, TriesARouteWhileItIsDrawn) {
   QSignalSpy tried{&watch, &FaultWatch::routeTried};
   const auto outcome = [&] {
