@@ -21,9 +21,10 @@ QString titleOf(const QString& text) {
 }  // namespace
 
 const std::vector<QString>& HelpPages::topics() {
-  static const std::vector<QString> kTopics{
-      "start",   "floor",  "tiles",  "zones",      "checking", "routes",        "registering", "vehicles",
-      "running", "charts", "events", "connecting", "radio",    "commissioning", "keyboard",    "troubleshooting"};
+  static const std::vector<QString> kTopics{"start",    "floor",          "tiles",    "zones",         "checking",
+                                            "routes",   "registering",    "vehicles", "running",       "charts",
+                                            "events",   "connecting",     "radio",    "commissioning", "exchange",
+                                            "keyboard", "troubleshooting"};
   return kTopics;
 }
 

@@ -1,0 +1,143 @@
+#include "app/tessera/exchange_files.h"
+
+#include <QApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+
+#include "exchange/lif.h"
+#include "exchange/tag_tables.h"
+#include "floor/json_node.h"
+#include "floor/text_file.h"
+#include "ui/base/wording.h"
+#include "ui/exchange/changes_dialog.h"
+#include "ui/print/map_picture.h"
+#include "ui/print/map_picture_dialog.h"
+
+namespace tessera::desktop {
+namespace {
+
+const QString kTable = QStringLiteral(".csv");
+const QString kLooseTable = QStringLiteral(".loose.csv");
+const QString kLayout = QStringLiteral(".lif.json");
+
+class Waiting {
+public:
+  Waiting() { QApplication::setOverrideCursor(Qt::WaitCursor); }
+  ~Waiting() { QApplication::restoreOverrideCursor(); }
+  Waiting(const Waiting&) = delete;
+  Waiting& operator=(const Waiting&) = delete;
+};
+
+Result<exchange::Preview> previewOf(const floor::Site& onto, const QString& path) {
+  const Waiting wait;
+  const std::string file = path.toStdString();
+  const auto text = floor::loadText(file, floor::kMostJson + 1);
+  if (!text) return tl::unexpected{text.error()};
+  return path.endsWith(kTable, Qt::CaseInsensitive) ? exchange::importTags(onto, *text, file)
+                                                    : exchange::importLif(onto, *text, file);
+}
+
+}  // namespace
+
+ExchangeFiles::ExchangeFiles(ui::SiteDocument& document, QWidget& window) : document_{document}, window_{window} {}
+
+QString ExchangeFiles::proposal(const QString& suffix) const {
+  QString name = QString::fromStdString(document_.site().name);
+  if (name.isEmpty()) name = QStringLiteral("site");
+  name.replace(QLatin1Char('/'), QLatin1Char('-'));
+  const QDir folder = document_.path().isEmpty() ? QDir::home() : QFileInfo{document_.path()}.dir();
+  return folder.filePath(name + suffix);
+}
+
+void ExchangeFiles::importAsking() {
+  const QString path =
+      QFileDialog::getOpenFileName(&window_, tr("Import"), QFileInfo{proposal({})}.path(),
+                                   tr("Tables of tags and layouts (*.csv *.lif *.lif.json);;All files (*)"));
+  if (!path.isEmpty()) importFrom(path);
+}
+
+bool ExchangeFiles::importFrom(const QString& path) {
+  const auto preview = previewOf(document_.site(), path);
+  const QString name = QFileInfo{path}.fileName();
+  if (!preview) {
+    tell(tr("The file could not be imported"), ui::text(preview.error().sentence));
+    return false;
+  }
+  ui::ChangesDialog dialog{*preview, name, &window_};
+  if (dialog.exec() != QDialog::Accepted) return false;
+  const auto done = document_.edit(tr("Import %1").arg(name), [&](floor::Site& site) { site = preview->site; });
+  if (!done) tell(tr("The file could not be imported"), ui::text(done.error().sentence));
+  return done.has_value();
+}
+
+void ExchangeFiles::exportAsking() {
+  const QString table = tr("Table of the tiles' tags (*%1)").arg(kTable);
+  const QString loose = tr("Table of tags without a tile (*%1)").arg(kLooseTable);
+  const QString layout = tr("Layout of routes and stations, VDMA LIF (*%1)").arg(kLayout);
+  QString chosen = table;
+  QString path = QFileDialog::getSaveFileName(&window_, tr("Export"), proposal(kTable),
+                                              QStringList{table, loose, layout}.join(QStringLiteral(";;")), &chosen);
+  if (path.isEmpty()) return;
+  // The dialogue's proposal keeps its ending when another format is chosen.
+  const QString suffix = chosen == layout ? kLayout : chosen == loose ? kLooseTable : kTable;
+  if (!path.endsWith(suffix)) {
+    if (path.endsWith(kTable)) path.chop(kTable.size());
+    path += suffix;
+    if (QFileInfo::exists(path) &&
+        QMessageBox::question(&window_, tr("Export"),
+                              tr("%1 exists already. Replace it?").arg(QFileInfo{path}.fileName())) != QMessageBox::Yes)
+      return;
+  }
+  exportTo(path);
+}
+
+bool ExchangeFiles::exportTo(const QString& path) {
+  const floor::Site& site = document_.site();
+  exchange::LifText written;
+  if (path.endsWith(kLooseTable))
+    written.text = exchange::writeLooseTags(site);
+  else if (path.endsWith(kTable))
+    written.text = exchange::writeTileTags(site);
+  else
+    written = exchange::writeLif(site, QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString());
+  const auto saved = floor::saveText(written.text, path.toStdString(), floor::Replacing::Allowed);
+  if (!saved) {
+    tell(tr("The file could not be written"), ui::text(saved.error().sentence));
+    return false;
+  }
+  if (written.leftOut.empty()) return true;
+  QStringList lines;
+  for (const Sentence& sentence : written.leftOut) lines << ui::text(sentence);
+  QMessageBox box{QMessageBox::Information, tr("Exported"),
+                  tr("%1 was written. What the format cannot carry:").arg(QFileInfo{path}.fileName()), QMessageBox::Ok,
+                  &window_};
+  box.setObjectName(QStringLiteral("exportNotes"));
+  box.setInformativeText(lines.join(QLatin1Char('\n')));
+  box.exec();
+  return true;
+}
+
+void ExchangeFiles::savePictureAsking() {
+  ui::MapPictureDialog dialog{document_.map(), &window_};
+  if (dialog.exec() != QDialog::Accepted) return;
+  QString path = QFileDialog::getSaveFileName(&window_, tr("Save the picture"), proposal(QStringLiteral(".pdf")),
+                                              tr("Pictures (*.pdf *.svg *.png)"));
+  if (path.isEmpty()) return;
+  if (QFileInfo{path}.suffix().isEmpty()) path += QStringLiteral(".pdf");
+  const auto saved = [&] {
+    const Waiting wait;
+    return ui::saveSheet(ui::MapSheet{document_.map(), dialog.wish()}, path);
+  }();
+  if (!saved) tell(tr("The picture could not be saved"), ui::text(saved.error().sentence));
+}
+
+void ExchangeFiles::tell(const QString& title, const QString& sentence) {
+  QMessageBox box{QMessageBox::Warning, title, sentence, QMessageBox::Ok, &window_};
+  box.setObjectName(QStringLiteral("exchangeTrouble"));
+  box.exec();
+}
+
+}  // namespace tessera::desktop

@@ -1,0 +1,37 @@
+// Importing from and exporting to files of others, with the questions on the way: tables of tags, layouts, pictures.
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include "ui/base/site_document.h"
+
+class QWidget;
+
+namespace tessera::desktop {
+
+class ExchangeFiles : public QObject {
+  Q_OBJECT
+public:
+  /// Both must outlive it.
+  ExchangeFiles(ui::SiteDocument& document, QWidget& window);
+
+  /// Asks for a table (*.csv) or a layout (*.lif, *.lif.json), shows what it would change, and changes it as one step.
+  void importAsking();
+  /// True: the site has changed.
+  bool importFrom(const QString& path);
+  void exportAsking();
+  /// By the ending: *.csv is the table of the tiles' tags, *.loose.csv that of tags without a tile, *.lif.json a
+  /// layout.
+  bool exportTo(const QString& path);
+  void savePictureAsking();
+
+private:
+  [[nodiscard]] QString proposal(const QString& suffix) const;
+  void tell(const QString& title, const QString& sentence);
+
+  ui::SiteDocument& document_;
+  QWidget& window_;
+};
+
+}  // namespace tessera::desktop

@@ -1,0 +1,32 @@
+// How the main window finds, measures, imports, exports and prints.
+#include <QUndoView>
+
+#include "app/tessera/exchange_files.h"
+#include "app/tessera/main_window.h"
+#include "app/tessera/window_actions.h"
+#include "ui/canvas/floor_canvas.h"
+#include "ui/find/find_box.h"
+#include "ui/measure/measure_tool.h"
+
+namespace tessera::desktop {
+
+void MainWindow::joinLooking() {
+  exchange_ = new ExchangeFiles{document_, *this};
+  exchange_->setParent(this);
+  measureTool_ = std::make_unique<ui::MeasureTool>();
+  find_ = new ui::FindBox{document_, canvas_};
+  const auto& a = *actions_;
+  connect(a.importFile, &QAction::triggered, exchange_, &ExchangeFiles::importAsking);
+  connect(a.exportFile, &QAction::triggered, exchange_, &ExchangeFiles::exportAsking);
+  connect(a.mapPicture, &QAction::triggered, exchange_, &ExchangeFiles::savePictureAsking);
+  connect(a.find, &QAction::triggered, find_, &ui::FindBox::open);
+  connect(find_, &ui::FindBox::chosen, this, [this](const ui::SiteBox& place) {
+    canvas_->showPlace(place);
+    canvas_->setFocus();
+  });
+  connect(find_, &ui::FindBox::left, canvas_, [this] { canvas_->setFocus(); });
+  connect(a.measure, &QAction::triggered, this, [this] { useTool(measureTool_.get()); });
+  connect(measureTool_.get(), &ui::CanvasTool::changed, this, &MainWindow::showTool);
+}
+
+}  // namespace tessera::desktop

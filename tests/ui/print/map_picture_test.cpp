@@ -1,0 +1,115 @@
+// The map as a file: to scale, whole or not at all.
+#include "ui/print/map_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFile>
+#include <QImage>
+#include <QLabel>
+#include <QSvgRenderer>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "canvas_site.h"
+#include "ui/print/map_picture_dialog.h"
+
+namespace tessera::ui {
+namespace {
+
+class Picture : public testing::Test {
+protected:
+  [[nodiscard]] QString path(const char* name) const { return folder.filePath(QString::fromLatin1(name)); }
+  [[nodiscard]] static QByteArray bytesOf(const QString& path) {
+    QFile file{path};
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray{};
+  }
+  QTemporaryDir folder;
+  std::shared_ptr<const floor::SiteMap> map = tiledMap(5, 4);
+  SheetWish wish;
+};
+
+TEST_F(Picture, isToScaleInDots) {
+  wish.scale = 20.0;
+  wish.routes = wish.zones = wish.serials = wish.legend = wish.tags = false;
+  const MapSheet sheet{map, wish};
+  ASSERT_TRUE(saveSheet(sheet, path("map.png")));
+  const QImage image{path("map.png")};
+  ASSERT_FALSE(image.isNull());
+  EXPECT_NEAR(image.dotsPerMeterX(), 150.0 / 0.0254, 1.0);
+  // The floor is 3 m wide: 15 cm of paper. Its tiles are not white, in a row between their seams.
+  const double perMm = 150.0 / 25.4;
+  int first = -1;
+  int last = -1;
+  for (int x = 0; x < image.width(); ++x) {
+    if (image.pixelColor(x, image.height() * 2 / 3) == QColor{Qt::white}) continue;
+    if (first < 0) first = x;
+    last = x;
+  }
+  EXPECT_NEAR((last - first) / perMm, 150.0, 1.0);
+}
+
+TEST_F(Picture, isToScaleInLines) {
+  const MapSheet sheet{map, wish};
+  ASSERT_TRUE(saveSheet(sheet, path("map.svg")));
+  QSvgRenderer svg{path("map.svg")};
+  ASSERT_TRUE(svg.isValid());
+  EXPECT_NEAR(svg.viewBoxF().width(), sheet.size().width(), 0.01);
+  ASSERT_TRUE(bytesOf(path("map.svg")).contains("T7")) << "serial numbers stay text";
+}
+
+TEST_F(Picture, isAPageOfItsOwnSize) {
+  const MapSheet sheet{map, wish};
+  ASSERT_TRUE(saveSheet(sheet, path("map.pdf")));
+  const QByteArray pdf = bytesOf(path("map.pdf"));
+  EXPECT_TRUE(pdf.startsWith("%PDF-"));
+  const auto box = pdf.indexOf("/MediaBox [0 0 ");
+  ASSERT_GT(box, 0);
+  const double points = pdf.mid(box + 15, 20).split(' ').front().toDouble();
+  EXPECT_NEAR(points / 72.0 * 25.4, sheet.millimetres().width(), 0.5);
+}
+
+TEST_F(Picture, ofTwiceTheScaleIsAboutTwiceAsWide) {
+  wish.scale = 10.0;
+  const QSizeF large = MapSheet{map, wish}.millimetres();
+  wish.scale = 20.0;
+  const QSizeF small = MapSheet{map, wish}.millimetres();
+  const double edges = 2 * 24.0 / kUnitsPerMm;
+  EXPECT_NEAR(large.width() - edges, 2 * (small.width() - edges), 1e-6);
+}
+
+TEST_F(Picture, thatCannotBeMadeLeavesTheOldFile) {
+  QFile old{path("map.png")};
+  ASSERT_TRUE(old.open(QIODevice::WriteOnly));
+  old.write("old");
+  old.close();
+  wish.scale = 0.5;
+  const auto done = saveSheet(MapSheet{map, wish}, path("map.png"));
+  ASSERT_FALSE(done);
+  EXPECT_NE(done.error().sentence.english().find("too large"), std::string::npos);
+  EXPECT_EQ(bytesOf(path("map.png")), "old");
+  EXPECT_FALSE(saveSheet(MapSheet{map, {}}, path("map.bmp")));
+  EXPECT_FALSE(saveSheet(MapSheet{map, {}}, path("no/such/folder.png")));
+}
+
+TEST_F(Picture, ofAnEmptySiteIsASheetAsWell) {
+  EXPECT_TRUE(saveSheet(MapSheet{floor::SiteMap::build({}).value(), {}}, path("empty.pdf")));
+}
+
+TEST_F(Picture, isShownWithItsSizeBeforeItIsSaved) {
+  MapPictureDialog dialog{map};
+  dialog.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+  auto* scale = dialog.findChild<QComboBox*>("pictureScale");
+  EXPECT_EQ(dialog.wish().scale, 20.0) << "the largest that fits A3";
+  auto* size = dialog.findChild<QLabel*>("pictureSize");
+  const QString before = size->text();
+  QTest::keyClick(scale, Qt::Key_Down);
+  EXPECT_NE(size->text(), before);
+  QTest::mouseClick(dialog.findChild<QCheckBox*>("pictureTags"), Qt::LeftButton, {}, QPoint{8, 8});
+  EXPECT_FALSE(dialog.wish().tags);
+}
+
+}  // namespace
+}  // namespace tessera::ui
