@@ -29,6 +29,7 @@
 #include "ui/help/help_topic.h"
 #include "ui/help/help_window.h"
 #include "ui/lay/lay_tool.h"
+#include "ui/measure/measure_tool.h"
 #include "ui/route/route_tool.h"
 #include "ui/zone/zone_tool.h"
 
@@ -56,6 +57,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow{parent} {
   joinActions();
   joinRegister();
   joinPanels();
+  joinLooking();
   joinTiles();
   joinZones();
   joinFaults();
@@ -74,6 +76,7 @@ MainWindow::~MainWindow() {
   canvas_->setTool(nullptr);
   watch_->disconnect(this);
   routeTool_.reset();
+  measureTool_.reset();
   zoneTool_.reset();
   for (QDockWidget* dock : panels_->docks()) {
     dock->disconnect(this);

@@ -20,6 +20,8 @@ class QToolButton;
 
 namespace tessera::ui {
 class CanvasTool;
+class FindBox;
+class MeasureTool;
 class FaultWatch;
 class FloorCanvas;
 class HelpWindow;
@@ -33,6 +35,7 @@ class ZoneTool;
 
 namespace tessera::desktop {
 
+class ExchangeFiles;
 class FleetSession;
 class Keeper;
 class RegisterDesk;
@@ -78,6 +81,8 @@ private:
   void joinFleet();
   void joinActions();
   void joinPanels();
+  void joinLooking();
+  [[nodiscard]] bool isMeasuring() const;
   void showSite();
   void showFleetState();
   void showRecent();
@@ -116,6 +121,9 @@ private:
   ui::FloorCanvas* canvas_;
   std::unique_ptr<ui::FaultWatch> watch_;
   std::unique_ptr<ui::RouteTool> routeTool_;
+  std::unique_ptr<ui::MeasureTool> measureTool_;
+  ui::FindBox* find_ = nullptr;
+  ExchangeFiles* exchange_ = nullptr;
   std::unique_ptr<ui::ZoneTool> zoneTool_;
   std::unique_ptr<RegisterDesk> register_;
   std::unique_ptr<ui::LayTool> layTool_;

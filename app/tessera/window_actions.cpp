@@ -37,9 +37,14 @@ void WindowActions::makeAll() {
   rename = make("rename");
   quit = make("quit", nullptr, QKeySequence{Qt::CTRL | Qt::Key_Q});
   quit->setMenuRole(QAction::QuitRole);
+  importFile = make("importFile", "import");
+  exportFile = make("exportFile", "export");
+  mapPicture = make("mapPicture");
   undo = make("undo", "undo", QKeySequence::Undo);
   redo = make("redo", "redo");
   redo->setShortcuts({QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_Z}, QKeySequence{Qt::CTRL | Qt::Key_Y}});
+  find = make("find", "search", QKeySequence::Find);
+  measure = make("measure", "measure", QKeySequence{Qt::CTRL | Qt::Key_M}, true);
   zoomIn = make("zoomIn", "zoom-in", QKeySequence::ZoomIn);
   zoomOut = make("zoomOut", "zoom-out", QKeySequence::ZoomOut);
   fit = make("fit", "fit", QKeySequence{Qt::CTRL | Qt::Key_0});
@@ -79,6 +84,8 @@ void WindowActions::fillMenus(QMainWindow& window) {
   site_->addSeparator();
   site_->addActions({save, saveAs, rename});
   site_->addSeparator();
+  site_->addActions({importFile, exportFile, mapPicture});
+  site_->addSeparator();
   site_->addAction(showFaults);
   site_->addSeparator();
   site_->addAction(quit);
@@ -92,6 +99,8 @@ void WindowActions::fillMenus(QMainWindow& window) {
   edit_->addActions({tileTypes, registerTags});
   view_ = bar->addMenu(QString{});
   view_->addActions({zoomIn, zoomOut, fit, follow});
+  view_->addSeparator();
+  view_->addActions({find, measure});
   view_->addSeparator();
   layers_ = view_->addMenu(QString{});
   layers_->addActions({tags, zones, trails, uncertainty, grid, faults});

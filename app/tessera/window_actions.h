@@ -22,7 +22,9 @@ public:
   WindowActions(QMainWindow& window, QUndoStack& steps);
 
   QAction *demo, *newSite, *open, *save, *saveAs, *rename, *quit;
+  QAction *importFile, *exportFile, *mapPicture;
   QAction *undo, *redo;
+  QAction *find, *measure;
   QAction *zoomIn, *zoomOut, *fit, *follow, *tags, *zones, *trails, *uncertainty, *grid, *faults;
   QAction *drawRoute, *editRoutes, *layTiles, *tileTypes, *browse;
   QAction *drawZone, *editZones, *showFaults;

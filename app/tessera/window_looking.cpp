@@ -1,6 +1,4 @@
 // How the main window finds, measures, imports, exports and prints.
-#include <QUndoView>
-
 #include "app/tessera/exchange_files.h"
 #include "app/tessera/main_window.h"
 #include "app/tessera/window_actions.h"

@@ -2,6 +2,7 @@
 
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QUndoView>
 #include <algorithm>
 
 #include "ui/charts/live_charts.h"
@@ -46,6 +47,8 @@ WindowPanels::WindowPanels(QMainWindow& window, ui::FleetLink& fleet, ui::Select
   auto* faultDock = add(window, "faultsDock", "checking", Qt::BottomDockWidgetArea, faults);
   window.tabifyDockWidget(eventDock, faultDock);
   faultDock->hide();
+  steps = new QUndoView{&document.undoStack()};
+  addTool(window, "stepsDock", "exchange", steps);
   retranslate();
 }
 
@@ -100,6 +103,8 @@ void WindowPanels::arrange(QMainWindow& window) {
 }
 
 void WindowPanels::retranslate() {
+  steps->setWindowTitle(tr("Steps"));
+  steps->setEmptyLabel(tr("As it was opened"));
   const QStringList titles{tr("Vehicles"), tr("Charts"), tr("What happened"), tr("Drive"),
                            tr("Routes"),   tr("Tiles"),  tr("Zones"),         faults->title()};
   for (std::size_t i = 0; i < static_cast<std::size_t>(titles.size()); ++i)

@@ -11,6 +11,7 @@
 
 class QDockWidget;
 class QMainWindow;
+class QUndoView;
 
 namespace tessera::ui {
 class EventPanel;
@@ -39,6 +40,7 @@ public:
   ui::TilePanel* tiles;
   ui::LiveCharts* charts;
   ui::EventPanel* events;
+  QUndoView* steps;  ///< all since the site was opened; a click goes back to one
   ui::ZonePanel* zones;
   ui::FaultPanel* faults;
 

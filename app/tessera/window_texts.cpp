@@ -28,11 +28,16 @@ void WindowActions::retranslate() {
   save->setText(tr("&Save"));
   saveAs->setText(tr("Save &as…"));
   rename->setText(tr("Rena&me site…"));
+  importFile->setText(tr("&Import…"));
+  exportFile->setText(tr("&Export…"));
+  mapPicture->setText(tr("&Picture of the map…"));
   quit->setText(tr("&Quit"));
   zoomIn->setText(tr("Zoom &in"));
   zoomOut->setText(tr("Zoom &out"));
   fit->setText(tr("&Whole floor"));
   follow->setText(tr("&Follow the vehicle"));
+  find->setText(tr("&Go to…"));
+  measure->setText(tr("&Measure"));
   tags->setText(tr("&Tags"));
   zones->setText(tr("&Zones"));
   trails->setText(tr("T&rails"));

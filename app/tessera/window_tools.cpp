@@ -5,6 +5,7 @@
 #include "app/tessera/window_panels.h"
 #include "ui/canvas/floor_canvas.h"
 #include "ui/lay/lay_tool.h"
+#include "ui/measure/measure_tool.h"
 #include "ui/route/route_tool.h"
 #include "ui/zone/zone_panel.h"
 #include "ui/zone/zone_tool.h"
@@ -29,13 +30,19 @@ void MainWindow::showTool() {
   const bool outlining = zones && zoneTool_->isDrawing();
   actions_->browse->setChecked(canvas_->tool() == nullptr);
   actions_->registerTags->setChecked(register_ && canvas_->tool() == &register_->tool());
+  actions_->measure->setChecked(measureTool_ && canvas_->tool() == measureTool_.get());
   actions_->layTiles->setChecked(canvas_->tool() == layTool_.get());
   actions_->editZones->setChecked(zones && !outlining);
   actions_->drawZone->setChecked(outlining);
   actions_->editRoutes->setChecked(routes && !drawing);
   actions_->drawRoute->setChecked(drawing);
   actions_->allowSteps((drawing && !routeTool_->draft().empty()) || layTool_->isPasting() ||
-                       (outlining && !zoneTool_->draft().empty()));
+                       (outlining && !zoneTool_->draft().empty()) || isMeasuring());
+}
+
+bool MainWindow::isMeasuring() const {
+  return measureTool_ && canvas_->tool() == measureTool_.get() && !measureTool_->points().empty() &&
+         !measureTool_->isComplete();
 }
 
 void MainWindow::joinZones() {

@@ -33,6 +33,23 @@
     </message>
 </context>
 <context>
+    <name>tessera::ui::ChangesDialog</name>
+    <message numerus="yes">
+        <source>%n changes. They are made all together, as one step that can be undone.</source>
+        <translation>
+            <numerusform>%n change, made as one step that can be undone.</numerusform>
+            <numerusform>%n changes. They are made all together, as one step that can be undone.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>tessera::ui::EventPanel</name>
     <message numerus="yes">
         <source>The last %n events of this day are listed. Choose a severity or a vehicle to see the earlier ones.</source>

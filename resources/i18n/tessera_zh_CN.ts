@@ -1683,6 +1683,22 @@
         <source>%1 tiles lie at one another&apos;s places, &quot;%2&quot; at that of &quot;%3&quot;.</source>
         <translation>%1 块地板砖的位置互相错开，“%2”在“%3”的位置上。</translation>
     </message>
+    <message>
+        <source>The picture would be too large. Choose a smaller scale, such as 1 : 200.</source>
+        <translation>图片会太大。请选择更小的比例，例如 1 : 200。</translation>
+    </message>
+    <message>
+        <source>The name of a picture ends with .png, .svg or .pdf.</source>
+        <translation>图片的文件名须以 .png、.svg 或 .pdf 结尾。</translation>
+    </message>
+    <message>
+        <source>So many tags make a file that no program opens quickly. Choose PNG, or leave the tags out.</source>
+        <translation>标签太多，生成的文件任何程序都难以快速打开。请选择 PNG，或不画标签。</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: %2.</source>
+        <translation>无法写入 %1：%2。</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>
@@ -1774,6 +1790,66 @@
     <message>
         <source>Rename tile %1</source>
         <translation>重命名地板砖 %1</translation>
+    </message>
+</context>
+<context>
+    <name>MapSheet</name>
+    <message>
+        <source>Scale 1 : %1</source>
+        <translation>比例 1 : %1</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>Place without a registered tag</source>
+        <translation>没有登记标签的位置</translation>
+    </message>
+    <message>
+        <source>Route</source>
+        <translation>路径</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <comment>north</comment>
+        <translation>北</translation>
+    </message>
+    <message>
+        <source>Unnamed site</source>
+        <translation>未命名场地</translation>
+    </message>
+    <message>
+        <source>Running zone</source>
+        <translation>行驶区域</translation>
+    </message>
+    <message>
+        <source>Storage</source>
+        <translation>存储区域</translation>
+    </message>
+    <message>
+        <source>Parking</source>
+        <translation>停车区域</translation>
+    </message>
+    <message>
+        <source>Charging</source>
+        <translation>充电区域</translation>
+    </message>
+    <message>
+        <source>No-go zone</source>
+        <translation>禁行区域</translation>
+    </message>
+    <message>
+        <source>Slow zone</source>
+        <translation>慢行区域</translation>
+    </message>
+    <message>
+        <source>One-way zone</source>
+        <translation>单行区域</translation>
+    </message>
+    <message>
+        <source>Zone for one vehicle at a time</source>
+        <translation>单车区域</translation>
     </message>
 </context>
 <context>
@@ -2296,6 +2372,69 @@
     </message>
 </context>
 <context>
+    <name>tessera::desktop::ExchangeFiles</name>
+    <message>
+        <source>Import</source>
+        <translation>导入</translation>
+    </message>
+    <message>
+        <source>Tables of tags and layouts (*.csv *.lif *.lif.json);;All files (*)</source>
+        <translation>标签表和布局 (*.csv *.lif *.lif.json);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>The file could not be imported</source>
+        <translation>无法导入该文件</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>导入 %1</translation>
+    </message>
+    <message>
+        <source>Table of the tiles&apos; tags (*%1)</source>
+        <translation>地板砖标签表 (*%1)</translation>
+    </message>
+    <message>
+        <source>Table of tags without a tile (*%1)</source>
+        <translation>不属于地板砖的标签表 (*%1)</translation>
+    </message>
+    <message>
+        <source>Layout of routes and stations, VDMA LIF (*%1)</source>
+        <translation>路径和站点布局，VDMA LIF (*%1)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>%1 exists already. Replace it?</source>
+        <translation>%1 已存在。要替换它吗？</translation>
+    </message>
+    <message>
+        <source>The file could not be written</source>
+        <translation>无法写入该文件</translation>
+    </message>
+    <message>
+        <source>Exported</source>
+        <translation>已导出</translation>
+    </message>
+    <message>
+        <source>%1 was written. What the format cannot carry:</source>
+        <translation>已写入 %1。该格式无法表达的内容：</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>保存图片</translation>
+    </message>
+    <message>
+        <source>Pictures (*.pdf *.svg *.png)</source>
+        <translation>图片 (*.pdf *.svg *.png)</translation>
+    </message>
+    <message>
+        <source>The picture could not be saved</source>
+        <translation>无法保存图片</translation>
+    </message>
+</context>
+<context>
     <name>tessera::desktop::Keeper</name>
     <message>
         <source>The journal cannot be read just now. Try again in a moment.</source>
@@ -2726,6 +2865,26 @@
         <source>Change zones on the floor and in their panel (%1)</source>
         <translation>在地面上和面板中修改区域（%1）</translation>
     </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>导入(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>导出(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>&amp;Picture of the map…</source>
+        <translation>地图图片(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>&amp;Go to…</source>
+        <translation>前往(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>测量(&amp;M)</translation>
+    </message>
 </context>
 <context>
     <name>tessera::desktop::WindowPanels</name>
@@ -2756,6 +2915,14 @@
     <message>
         <source>Zones</source>
         <translation>区域</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>步骤</translation>
+    </message>
+    <message>
+        <source>As it was opened</source>
+        <translation>打开时的状态</translation>
     </message>
 </context>
 <context>
@@ -2830,6 +2997,41 @@
     <message>
         <source>Not connected. Connect to the vehicles and try again.</source>
         <translation>未连接。请先连接车辆，然后重试。</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::ChangesDialog</name>
+    <message>
+        <source>Import %1</source>
+        <translation>导入 %1</translation>
+    </message>
+    <message>
+        <source>The file says what the site has already: nothing would change.</source>
+        <translation>文件内容与场地现有内容相同：不会有任何改变。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n changes. They are made all together, as one step that can be undone.</source>
+        <translation>
+            <numerusform>%n 处改变。它们作为一步一起完成，可以撤销。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>改变</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>另有 %n 处</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Please note:</source>
+        <translation>请注意：</translation>
+    </message>
+    <message>
+        <source>&amp;Import</source>
+        <translation>导入(&amp;I)</translation>
     </message>
 </context>
 <context>
@@ -3571,6 +3773,54 @@ Can be mended: %2.</source>
     </message>
 </context>
 <context>
+    <name>tessera::ui::FindBox</name>
+    <message>
+        <source>Coordinates</source>
+        <translation>坐标</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>Tile</source>
+        <translation>地板砖</translation>
+    </message>
+    <message>
+        <source>Zone</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>Route</source>
+        <translation>路径</translation>
+    </message>
+    <message>
+        <source>Vehicle&apos;s start</source>
+        <translation>车辆起点</translation>
+    </message>
+    <message>
+        <source>Tile, UID, zone, route, or x y in m</source>
+        <translation>地板砖、UID、区域、路径，或以米为单位的 x y</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>前往</translation>
+    </message>
+    <message>
+        <source>Places found</source>
+        <translation>找到的位置</translation>
+    </message>
+    <message>
+        <source>Nothing is called so.</source>
+        <translation>没有这样的名称。</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <comment>kind and name</comment>
+        <translation>%1，%2 {1 ?}</translation>
+    </message>
+</context>
+<context>
     <name>tessera::ui::FlashPage</name>
     <message>
         <source>Firmware onto the vehicle&apos;s board</source>
@@ -4140,6 +4390,81 @@ x %2 m，y %3 m</translation>
     <message>
         <source>%1 min</source>
         <translation>%1 分钟</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::MapPictureDialog</name>
+    <message>
+        <source>Picture of the map</source>
+        <translation>地图图片</translation>
+    </message>
+    <message>
+        <source>1 : %1</source>
+        <translation>1 : %1</translation>
+    </message>
+    <message>
+        <source>&amp;Tags</source>
+        <translation>标签(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Serial &amp;numbers</source>
+        <translation>序列号(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Zones</source>
+        <translation>区域(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>&amp;Routes</source>
+        <translation>路径(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Legend</source>
+        <translation>图例(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Scale:</source>
+        <translation>比例(&amp;S)：</translation>
+    </message>
+    <message>
+        <source>Paper:</source>
+        <translation>纸张：</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve as…</source>
+        <translation>另存为(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>%1 × %2 cm</source>
+        <translation>%1 × %2 厘米</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::MeasureTool</name>
+    <message>
+        <source>%1 m</source>
+        <comment>a length</comment>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Measure: click where it begins, or drag from end to end.</source>
+        <translation>测量：单击起点，或从一端拖到另一端。</translation>
+    </message>
+    <message>
+        <source>Click to measure anew. Esc ends.</source>
+        <translation>单击重新测量。Esc 结束。</translation>
+    </message>
+    <message>
+        <source>Click to go on, double-click or Enter to end. Shift: 45° steps. Alt: without snapping. Backspace: back.</source>
+        <translation>单击继续，双击或回车结束。Shift：45° 步进。Alt：不吸附。退格：退回一步。</translation>
+    </message>
+    <message>
+        <source>together %1</source>
+        <translation>合计 %1</translation>
+    </message>
+    <message>
+        <source>area %1 m²</source>
+        <translation>面积 %1 平方米</translation>
     </message>
 </context>
 <context>
