@@ -71,7 +71,7 @@ TEST_F(Looking, importsATableAsOneStepThatCanBeUndone) {
   EXPECT_TRUE(exchange->importFrom(table));
   ASSERT_EQ(site().looseTags.size(), before.looseTags.size() + 1);
   EXPECT_EQ(window->document().undoStack().count(), 1);
-  press(Qt::Key_Z, Qt::ControlModifier);
+  trigger("undo");
   EXPECT_EQ(site(), before);
 }
 
