@@ -64,8 +64,9 @@ public:
     }
     if (!serpentineWithin) return stops;
     std::vector<Stop> ordered;
-    for (const std::size_t n : serpentine(std::move(points), 0.4 * types_.at(t.type)->pitch.value()))
-      ordered.push_back(stops[n]);
+    const double tolerance = 0.4 * types_.at(t.type)->pitch.value();
+    const std::vector<std::size_t> order = serpentine(std::move(points), tolerance);
+    for (const std::size_t n : order) ordered.push_back(stops[n]);
     return ordered;
   }
 
@@ -84,7 +85,8 @@ public:
       middles.push_back({m.x.value(), m.y.value(), tile});
     }
     std::vector<Stop> walk;
-    for (const std::size_t tile : serpentine(std::move(middles), 0.5 * height_)) add(walk, stopsOf(tile, true));
+    const std::vector<std::size_t> order = serpentine(std::move(middles), 0.5 * height_);
+    for (const std::size_t tile : order) add(walk, stopsOf(tile, true));
     return walk;
   }
 
@@ -97,7 +99,8 @@ public:
       points.push_back({all[i].place->x.value(), all[i].place->y.value(), i});
     std::vector<Stop> walk;
     walk.reserve(all.size());
-    for (const std::size_t i : serpentine(std::move(points), 0.4 * pitch_)) walk.push_back(all[i]);
+    const std::vector<std::size_t> order = serpentine(std::move(points), 0.4 * pitch_);
+    for (const std::size_t i : order) walk.push_back(all[i]);
     return walk;
   }
 

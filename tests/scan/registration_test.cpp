@@ -264,8 +264,7 @@ TEST_F(ScanWalk, neverRegistersAUidTwiceAndNeverLosesItsWayWhateverIsDone) {
       }
       std::set<floor::TagUid> seen;
       for (const auto& tile : map->site().tiles)
-        for (const auto& u : tile.uids)
-          ASSERT_TRUE(u.empty() || seen.insert(u).second);
+        for (const auto& u : tile.uids) ASSERT_TRUE(u.empty() || seen.insert(u).second);
       const auto p = person->progress();
       ASSERT_EQ(p.registered, seen.size());
       ASSERT_EQ(p.places, 32U);

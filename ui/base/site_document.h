@@ -34,8 +34,9 @@ public:
   /// What stands now is in no file, though nothing was edited since replace().
   void markUnsaved() { undo_.resetClean(); }
 
-  /// One step, e.g. edit(tr("Move vertex"), [](Site& s) {...}). Steps in a row with the same mergeKey (0: never) become one, as in a drag.
-  /// Error: the site would contradict itself (two routes of one name, ...); nothing has changed then.
+  /// One step, e.g. edit(tr("Move vertex"), [](Site& s) {...}). Steps in a row with the same mergeKey (0: never) become
+  /// one, as in a drag. Error: the site would contradict itself (two routes of one name, ...); nothing has changed
+  /// then.
   Result<void> edit(const QString& step, const std::function<void(floor::Site&)>& change, int mergeKey = 0);
 
   /// As edit(), for steps that come by the thousand: each keeps the way forward and back instead of two whole sites.
