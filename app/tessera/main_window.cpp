@@ -134,7 +134,7 @@ void MainWindow::restore() {
   setAppearance(settings_.appearance());
   if (!restoreGeometry(settings_.geometry())) resize(1280, 820);
   panels_->setShown(true);
-  if (!restoreState(settings_.layout())) panels_->arrange(*this);
+  if (!restoreState(settings_.layout())) panels_->arrangeWhenShown();
   panels_->setShown(open_);
   showRecent();
   keeper_->loadHistory();

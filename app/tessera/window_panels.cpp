@@ -2,8 +2,10 @@
 
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QTimer>
 #include <QUndoView>
 #include <algorithm>
+#include <utility>
 
 #include "ui/charts/live_charts.h"
 #include "ui/check/fault_panel.h"
@@ -85,6 +87,10 @@ void WindowPanels::setShown(bool shown) {
     return;
   }
   for (QDockWidget* dock : hidden_) dock->show();
+  if (!std::exchange(unarranged_, false)) return;
+  auto* window = qobject_cast<QMainWindow*>(parent());
+  // What is hidden has no size to give: only from the event loop on have the panels one.
+  QTimer::singleShot(0, this, [this, window] { arrange(*window); });
 }
 
 void WindowPanels::bringForward(QWidget* panel) {
@@ -98,7 +104,7 @@ void WindowPanels::bringForward(QWidget* panel) {
 void WindowPanels::arrange(QMainWindow& window) {
   const int line = window.fontMetrics().height();
   window.resizeDocks({docks_[0]}, {17 * line}, Qt::Vertical);
-  window.resizeDocks({docks_[3], docks_[4]}, {17 * line, 22 * line}, Qt::Vertical);
+  window.resizeDocks({docks_[3], docks_[4]}, {14 * line, 26 * line}, Qt::Vertical);
   window.resizeDocks({docks_[3]}, {18 * line}, Qt::Horizontal);
 }
 

@@ -53,15 +53,17 @@ public:
   void retranslate();
   /// A panel that belongs to a tool, in front of those in the same place.
   void bringForward(QWidget* panel);
-  /// Heights and widths of a first start.
-  void arrange(QMainWindow& window);
+  /// Heights and widths of a first start, when the panels are shown next.
+  void arrangeWhenShown() { unarranged_ = true; }
 
 private:
   QDockWidget* add(QMainWindow& window, const char* name, const char* topic, Qt::DockWidgetArea area, QWidget* content);
+  void arrange(QMainWindow& window);
 
   std::vector<QDockWidget*> docks_;
   std::vector<QDockWidget*> hidden_;
   bool shown_ = true;
+  bool unarranged_ = false;
 };
 
 }  // namespace tessera::desktop
