@@ -104,7 +104,7 @@ void WindowPanels::bringForward(QWidget* panel) {
 void WindowPanels::arrange(QMainWindow& window) {
   const int line = window.fontMetrics().height();
   window.resizeDocks({docks_[0]}, {17 * line}, Qt::Vertical);
-  window.resizeDocks({docks_[3], docks_[4]}, {14 * line, 26 * line}, Qt::Vertical);
+  window.resizeDocks({docks_[3], docks_[4]}, {19 * line, 22 * line}, Qt::Vertical);
   window.resizeDocks({docks_[3]}, {18 * line}, Qt::Horizontal);
 }
 
