@@ -1,12 +1,12 @@
 #include "app/tessera/exchange_files.h"
 
-#include <QApplication>
 #include <QDateTime>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 
+#include "app/tessera/wait_cursor.h"
 #include "exchange/lif.h"
 #include "exchange/tag_tables.h"
 #include "floor/json_node.h"
@@ -23,16 +23,8 @@ const QString kTable = QStringLiteral(".csv");
 const QString kLooseTable = QStringLiteral(".loose.csv");
 const QString kLayout = QStringLiteral(".lif.json");
 
-class Waiting {
-public:
-  Waiting() { QApplication::setOverrideCursor(Qt::WaitCursor); }
-  ~Waiting() { QApplication::restoreOverrideCursor(); }
-  Waiting(const Waiting&) = delete;
-  Waiting& operator=(const Waiting&) = delete;
-};
-
 Result<exchange::Preview> previewOf(const floor::Site& onto, const QString& path) {
-  const Waiting wait;
+  const WaitCursor wait;
   const std::string file = path.toStdString();
   const auto text = floor::loadText(file, floor::kMostJson + 1);
   if (!text) return tl::unexpected{text.error()};
@@ -128,7 +120,7 @@ void ExchangeFiles::savePictureAsking() {
   if (path.isEmpty()) return;
   if (QFileInfo{path}.suffix().isEmpty()) path += QStringLiteral(".pdf");
   const auto saved = [&] {
-    const Waiting wait;
+    const WaitCursor wait;
     return ui::saveSheet(ui::MapSheet{document_.map(), dialog.wish()}, path);
   }();
   if (!saved) tell(tr("The picture could not be saved"), ui::text(saved.error().sentence));

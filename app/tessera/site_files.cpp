@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QStandardPaths>
 
+#include "app/tessera/wait_cursor.h"
 #include "floor/new_floor.h"
 #include "floor/site_json.h"
 #include "ui/base/wording.h"
@@ -19,14 +20,6 @@ namespace tessera::desktop {
 namespace {
 
 const QString kSuffix = QStringLiteral(".tessera.json");
-
-class WaitCursor {
-public:
-  WaitCursor() { QApplication::setOverrideCursor(Qt::WaitCursor); }
-  ~WaitCursor() { QApplication::restoreOverrideCursor(); }
-  WaitCursor(const WaitCursor&) = delete;
-  WaitCursor& operator=(const WaitCursor&) = delete;
-};
 
 Result<std::shared_ptr<const floor::SiteMap>> mapFrom(const QString& path) {
   const WaitCursor wait;

@@ -43,6 +43,14 @@ TEST_F(Looking, goesToATileByItsSerialNumber) {
   EXPECT_TRUE(window->canvas().hasFocus());
 }
 
+class LookingAtNothing : public DesktopTest {};
+
+TEST_F(LookingAtNothing, offersNothingThatNeedsASite) {
+  openWindow(false);
+  for (const char* name : {"importFile", "exportFile", "mapPicture", "find", "measure"})
+    EXPECT_FALSE(find<QAction>(name)->isEnabled()) << name;
+}
+
 TEST_F(Looking, measuresBesideTheOtherTools) {
   press(Qt::Key_M, Qt::ControlModifier);
   EXPECT_TRUE(find<QAction>("measure")->isChecked());
