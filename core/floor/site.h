@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -73,6 +74,8 @@ struct Route {
   std::string name;
   std::vector<Point> vertices;
   Metres controlSpacing{0.20};  ///< d, distance of control points
+  /// Speed limit of leg n, from vertex n to vertex n + 1. Empty: no leg has one; else as many as there are legs.
+  std::vector<std::optional<MetresPerSecond>> legSpeeds = {};
   bool operator==(const Route&) const = default;
 };
 
@@ -101,6 +104,21 @@ struct RadioSetup {
   bool operator==(const RadioSetup&) const = default;
 };
 
+/// A drawing of the building to lay tiles upon. It is shown only: nothing is decided by it.
+struct Backdrop {
+  std::string file;                            ///< name of the file it came from, for people
+  std::shared_ptr<const std::string> picture;  ///< that file's bytes, PNG or JPEG; shared, as sites are copied often
+  Point origin;                                ///< of the picture's lower left corner
+  Metres pixel{0.01};                          ///< length of a pixel's side
+  Radians turn;                                ///< about `origin`, counter-clockwise
+  double opacity = 0.5;                        ///< 0 to 1
+  bool operator==(const Backdrop& other) const {
+    const bool same = picture == other.picture || (picture && other.picture && *picture == *other.picture);
+    return same && file == other.file && origin == other.origin && pixel == other.pixel && turn == other.turn &&
+           opacity == other.opacity;
+  }
+};
+
 struct Site {
   std::string name;
   /// Clockwise angle from north to the site's y axis: a vehicle that faces along +y has this bearing.
@@ -113,6 +131,7 @@ struct Site {
   std::vector<Zone> zones;
   std::vector<Route> routes;
   std::vector<VehicleSetup> vehicles;
+  std::optional<Backdrop> backdrop = {};
   bool operator==(const Site&) const = default;
 };
 
