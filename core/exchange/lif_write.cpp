@@ -154,6 +154,7 @@ std::vector<Sentence> leftOut(const Site& site) {
       static_cast<std::size_t>(std::count_if(site.routes.begin(), site.routes.end(), [](const floor::Route& r) {
         return r.controlSpacing != floor::Route{}.controlSpacing;
       }));
+  if (site.backdrop) notes.emplace_back(phrase("Core", "LIF carries no picture of the floor plan; left out."));
   tell(spaced, phrase("Core", "Distances of control points are left out; routes concerned: %1."));
   return notes;
 }

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "floor/json_node.h"
+#include "floor/picture.h"
 #include "floor/site_json.h"
 #include "floor/site_names.h"
 
@@ -182,9 +183,36 @@ RadioSetup readRadio(JsonNode n) {
   return radio;
 }
 
+std::shared_ptr<const std::string> readPicture(const JsonNode& n) {
+  auto bytes = fromBase64(n.text(0, kMostJson));
+  if (n.failed()) return nullptr;
+  if (!bytes) {
+    n.fail(phrase("Core", "a picture's bytes in base64"));
+  } else if (bytes->size() > kMostPicture) {
+    n.fail(phrase("Core", "a picture of at most %1 MB").with(kMostPicture / 1'000'000));
+  } else if (!isPicture(*bytes)) {
+    n.fail(phrase("Core", "a picture in the format PNG or JPEG"));
+  } else {
+    return std::make_shared<const std::string>(*std::move(bytes));
+  }
+  return nullptr;
+}
+
+Backdrop readBackdrop(JsonNode n) {
+  n.object({"file", "origin_m", "metres_per_pixel", "picture"}, {"turn_deg", "opacity"});
+  Backdrop backdrop;
+  backdrop.file = n["file"].text(1, kMaxName);
+  backdrop.origin = readPoint(n["origin_m"]);
+  backdrop.pixel = readMetres(n["metres_per_pixel"], kLeastBackdropPixel.value(), kMostBackdropPixel.value());
+  if (n["turn_deg"].present()) backdrop.turn = readDegrees(n["turn_deg"]);
+  if (n["opacity"].present()) backdrop.opacity = n["opacity"].number(0.0, 1.0, phrase("Core", "opacity"));
+  backdrop.picture = readPicture(n["picture"]);
+  return backdrop;
+}
+
 Site readSite(JsonNode n) {
   n.object({"format", "version", "name"}, {"north_to_y_deg", "radio", "tile_types", "tiles", "placements", "loose_tags",
-                                           "zones", "routes", "vehicles"});
+                                           "zones", "routes", "vehicles", "backdrop"});
   static_cast<void>(n["format"].choice({"tessera-site"}));
   static_cast<void>(n["version"].integer(kSiteFormatVersion, kSiteFormatVersion));
   Site site;
@@ -201,6 +229,7 @@ Site readSite(JsonNode n) {
   lists("zones", kSome, readZone, site.zones);
   lists("routes", kSome, readRoute, site.routes);
   lists("vehicles", 254, readVehicle, site.vehicles);
+  if (!n.failed() && n["backdrop"].present()) site.backdrop = readBackdrop(n["backdrop"]);
   return site;
 }
 

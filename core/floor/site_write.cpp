@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "floor/picture.h"
 #include "floor/site_json.h"
 #include "floor/site_names.h"
 
@@ -144,6 +145,12 @@ std::string line(const VehicleSetup& v) {
   return s.str();
 }
 
+std::string line(const Backdrop& b) {
+  return "{\"file\": " + jsonText(b.file) + ", \"origin_m\": " + pair(b.origin) +
+         ", \"metres_per_pixel\": " + decimal(b.pixel.value()) + ", \"turn_deg\": " + inDegrees(b.turn) +
+         ", \"opacity\": " + decimal(b.opacity) + ",\n    \"picture\": \"" + toBase64(*b.picture) + "\"}";
+}
+
 template <class Items>
 std::string section(const std::string& key, const Items& items) {
   std::string s = ",\n  \"" + key + "\": [";
@@ -166,6 +173,8 @@ std::string writeSite(const Site& site) {
   s += section("zones", site.zones);
   s += section("routes", site.routes);
   s += section("vehicles", site.vehicles);
+  // Files without a picture are as they were before there were any.
+  if (site.backdrop && site.backdrop->picture) s += ",\n  \"backdrop\": " + line(*site.backdrop);
   return s + "\n}\n";
 }
 

@@ -90,6 +90,24 @@ void vehicles(const VehicleSetup& a, const VehicleSetup& b, Teller& tell) {
   if (!(like == b)) tell.changed(address, who, phrase("Core", "another shape, other readers or other abilities"), {});
 }
 
+// Its extent is known to who decodes the picture: no place is told.
+void backdrops(const std::optional<floor::Backdrop>& a, const std::optional<floor::Backdrop>& b, Changes& changes) {
+  if (a == b) return;
+  Teller tell{changes, Subject::Backdrop};
+  const std::string& name = b ? b->file : a->file;
+  const Sentence who = phrase("Core", "Floor plan \"%1\"").with(name);
+  if (!a) return tell.added(name, who, {});
+  if (!b) return tell.removed(name, who, {});
+  floor::Backdrop placed = *a;
+  placed.picture = b->picture;
+  placed.file = b->file;
+  if (!(placed == *a)) tell.changed(name, who, phrase("Core", "another picture"), {});
+  if (a->origin != b->origin) tell.moved(name, who, a->origin, b->origin);
+  if (a->pixel != b->pixel || a->turn != b->turn)
+    tell.changed(name, who, phrase("Core", "another scale or direction"), {});
+  if (a->opacity != b->opacity) tell.changed(name, who, phrase("Core", "another opacity"), {});
+}
+
 }  // namespace
 
 std::string_view codeOf(ChangeKind kind) {
@@ -98,8 +116,8 @@ std::string_view codeOf(ChangeKind kind) {
 }
 
 std::string_view codeOf(Subject subject) {
-  constexpr std::array<std::string_view, 8> names{"site",      "radio", "tile-type", "tile",
-                                                  "loose-tag", "zone",  "route",     "vehicle"};
+  constexpr std::array<std::string_view, 9> names{"site", "radio", "tile-type", "tile",    "loose-tag",
+                                                  "zone", "route", "vehicle",   "backdrop"};
   return names.at(static_cast<std::size_t>(subject));
 }
 
@@ -134,6 +152,7 @@ Changes difference(const Site& before, const Site& after) {
         if (b == nullptr) return tell.removed(std::to_string(any.id.value), who, {});
         vehicles(*a, *b, tell);
       });
+  backdrops(before.backdrop, after.backdrop, changes);
   return changes;
 }
 

@@ -14,7 +14,7 @@
 namespace tessera::sitediff {
 
 enum class ChangeKind : std::uint8_t { Added, Removed, Moved, Changed };
-enum class Subject : std::uint8_t { Site, Radio, TileType, Tile, LooseTag, Zone, Route, Vehicle };
+enum class Subject : std::uint8_t { Site, Radio, TileType, Tile, LooseTag, Zone, Route, Vehicle, Backdrop };
 
 /// Stable, for scripts: "added", "tile-type".
 [[nodiscard]] std::string_view codeOf(ChangeKind kind);

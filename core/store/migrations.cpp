@@ -59,7 +59,14 @@ constexpr std::array kJournal{
     "CREATE INDEX journal_by_vehicle ON journal(vehicle, utc_ms)",
 };
 
-constexpr std::array<std::span<const char* const>, 2> kSteps{kSites, kJournal};
+// The picture apart from where it lies: it is long, and moved more often than changed.
+constexpr std::array kBackdrops{
+    "CREATE TABLE backdrop(site INTEGER PRIMARY KEY REFERENCES site ON DELETE CASCADE, file TEXT NOT NULL, x NOT NULL,"
+    " y NOT NULL, pixel NOT NULL, turn NOT NULL, opacity NOT NULL)",
+    "CREATE TABLE backdrop_picture(site INTEGER PRIMARY KEY REFERENCES site ON DELETE CASCADE, picture BLOB NOT NULL)",
+};
+
+constexpr std::array<std::span<const char* const>, 3> kSteps{kSites, kJournal, kBackdrops};
 
 constexpr int kApplicationId = 0x54455353;  // "TESS", by which `file` and this program know their own
 

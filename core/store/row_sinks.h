@@ -44,6 +44,11 @@ private:
     bytes(uid.bytes().data(), uid.bytes().size());
   }
   void put(const wire::Key& key) { bytes(key.data(), key.size()); }
+  void put(const PictureBytes& picture) {
+    put(picture.bytes.size());
+    flush();  // not through the buffer, which would grow to its size
+    hash_.addData(QByteArrayView{picture.bytes.data(), static_cast<qsizetype>(picture.bytes.size())});
+  }
   void put(const std::optional<double>& number) {
     put(number.has_value());
     if (number) put(*number);
@@ -103,6 +108,9 @@ private:
     return bytes(uid.bytes());
   }
   static QVariant value(const wire::Key& key) { return bytes(key); }
+  static QVariant value(const PictureBytes& picture) {
+    return QByteArray{picture.bytes.data(), static_cast<qsizetype>(picture.bytes.size())};
+  }
   static QVariant value(const std::optional<double>& number) { return number ? QVariant{*number} : QVariant{}; }
   static QVariant bytes(std::span<const std::uint8_t> from) {
     return QByteArray{reinterpret_cast<const char*>(from.data()), static_cast<qsizetype>(from.size())};

@@ -52,6 +52,12 @@ public:
     each("SELECT vehicle, x, y FROM vehicle_footprint WHERE site=? ORDER BY vehicle, nr", [&](const Statement& row) {
       if (auto* vehicle = owner(row, site.vehicles)) vehicle->footprint.push_back(point(row, 1));
     });
+    each("SELECT file, x, y, pixel, turn, opacity FROM backdrop WHERE site=?",
+         [&](const Statement& row) { site.backdrop = backdrop(row); });
+    each("SELECT picture FROM backdrop_picture WHERE site=?", [&](const Statement& row) {
+      if (!site.backdrop) return transaction_.failDamaged();
+      site.backdrop->picture = std::make_shared<const std::string>(row.value(0).toByteArray().toStdString());
+    });
   }
 
 private:
@@ -109,6 +115,9 @@ private:
     if (!row.isNull(2)) zone.speed = MetresPerSecond{row.number(2)};
     if (!row.isNull(3)) zone.direction = Radians{row.number(3)};
     return zone;
+  }
+  static floor::Backdrop backdrop(const Statement& row) {
+    return {row.text(0), nullptr, point(row, 1), Metres{row.number(3)}, Radians{row.number(4)}, row.number(5)};
   }
   floor::VehicleSetup vehicle(const Statement& row) {
     floor::VehicleSetup vehicle;

@@ -27,10 +27,12 @@ enum class Table {
   Vehicle,
   VehicleReader,
   VehicleFootprint,
+  Backdrop,
+  BackdropPicture,
 };
-inline constexpr std::array<std::string_view, 12> kTableNames{
-    "tile_type",  "tile",  "tag",          "placement", "loose_tag",      "zone",
-    "zone_point", "route", "route_vertex", "vehicle",   "vehicle_reader", "vehicle_footprint"};
+inline constexpr std::array<std::string_view, 14> kTableNames{
+    "tile_type", "tile",         "tag",     "placement",      "loose_tag",         "zone",     "zone_point",
+    "route",     "route_vertex", "vehicle", "vehicle_reader", "vehicle_footprint", "backdrop", "backdrop_picture"};
 
 inline std::optional<double> valueOf(const auto& quantity) {
   return quantity ? std::optional{quantity->value()} : std::nullopt;
@@ -91,7 +93,7 @@ void rowsOf(const std::vector<floor::Zone>& zones, Sink& sink) {
 template <class Sink>
 void rowsOf(const std::vector<floor::Route>& routes, Sink& sink) {
   for (std::size_t i = 0; i < routes.size(); ++i) {
-    const auto& [name, vertices, controlSpacing] = routes[i];
+    const auto& [name, vertices, controlSpacing, legSpeeds] = routes[i];
     sink.row(Table::Route, i, name, controlSpacing.value());
     rowsOfPlaces(Table::RouteVertex, i, vertices, sink);
   }
@@ -117,10 +119,29 @@ void rowsOf(const std::vector<floor::VehicleSetup>& vehicles, Sink& sink) {
   }
 }
 
+/// A picture's bytes: long, and hashed and bound as they lie.
+struct PictureBytes {
+  std::string_view bytes;
+};
+
+template <class Sink>
+void rowsOf(const std::optional<floor::Backdrop>& backdrop, Sink& sink) {
+  if (!backdrop) return;
+  const auto& [file, picture, origin, pixel, turn, opacity] = *backdrop;
+  sink.row(Table::Backdrop, file, origin.x.value(), origin.y.value(), pixel.value(), turn.value(), opacity);
+}
+
+/// Of its own: a picture that is moved is not written again.
+template <class Sink>
+void rowsOf(const PictureBytes& picture, Sink& sink) {
+  if (!picture.bytes.empty()) sink.row(Table::BackdropPicture, picture);
+}
+
 /// Calls visit(name of the section, its tables, its items) for each part that is written on its own.
 template <class Visit>
 void forEachSection(const floor::Site& site, Visit&& visit) {
-  const auto& [name, northToY, radio, tileTypes, tiles, placements, looseTags, zones, routes, vehicles] = site;
+  const auto& [name, northToY, radio, tileTypes, tiles, placements, looseTags, zones, routes, vehicles, backdrop] =
+      site;
   visit("tile_types", std::array{Table::TileType}, tileTypes);
   visit("tiles", std::array{Table::Tag, Table::Tile}, tiles);
   visit("placements", std::array{Table::Placement}, placements);
@@ -128,6 +149,10 @@ void forEachSection(const floor::Site& site, Visit&& visit) {
   visit("zones", std::array{Table::ZonePoint, Table::Zone}, zones);
   visit("routes", std::array{Table::RouteVertex, Table::Route}, routes);
   visit("vehicles", std::array{Table::VehicleReader, Table::VehicleFootprint, Table::Vehicle}, vehicles);
+  visit("backdrop", std::array{Table::Backdrop}, backdrop);
+  const bool pictured = backdrop && backdrop->picture;
+  visit("backdrop_picture", std::array{Table::BackdropPicture},
+        PictureBytes{pictured ? std::string_view{*backdrop->picture} : std::string_view{}});
 }
 
 }  // namespace tessera::store

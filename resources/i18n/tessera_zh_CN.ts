@@ -1699,6 +1699,42 @@
         <source>Cannot write %1: %2.</source>
         <translation>无法写入 %1：%2。</translation>
     </message>
+    <message>
+        <source>a picture&apos;s bytes in base64</source>
+        <translation>base64 编码的图片字节</translation>
+    </message>
+    <message>
+        <source>a picture of at most %1 MB</source>
+        <translation>最大 %1 MB 的图片</translation>
+    </message>
+    <message>
+        <source>a picture in the format PNG or JPEG</source>
+        <translation>PNG 或 JPEG 格式的图片</translation>
+    </message>
+    <message>
+        <source>opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>Floor plan &quot;%1&quot;</source>
+        <translation>平面图“%1”</translation>
+    </message>
+    <message>
+        <source>another picture</source>
+        <translation>图片不同</translation>
+    </message>
+    <message>
+        <source>another scale or direction</source>
+        <translation>比例或方向不同</translation>
+    </message>
+    <message>
+        <source>another opacity</source>
+        <translation>不透明度不同</translation>
+    </message>
+    <message>
+        <source>LIF carries no picture of the floor plan; left out.</source>
+        <translation>LIF 不含平面图的图片；已略去。</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>

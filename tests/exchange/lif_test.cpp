@@ -42,6 +42,9 @@ TEST(Lif, ofTheDemoFloorIsTheOneThatIsKept) {
   const LifText lif = writeLif(site, kTime);
   EXPECT_EQ(lif.text, goldenLayout());
   EXPECT_THAT(allOf(lif.leftOut), HasSubstr("with their tags: 9"));
+  EXPECT_THAT(allOf(lif.leftOut), Not(HasSubstr("picture")));
+  site.backdrop = floor::Backdrop{"hall.png", std::make_shared<const std::string>("bytes"), {}, {}, {}, 0.5};
+  EXPECT_THAT(allOf(writeLif(site, kTime).leftOut), HasSubstr("LIF carries no picture of the floor plan"));
 }
 
 TEST(Lif, anImportOntoItselfChangesNothing) {

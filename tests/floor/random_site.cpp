@@ -22,6 +22,7 @@ public:
     fill(s.zones, 4, [this] { return zone(); });
     fill(s.routes, 3, [this] { return route(); });
     fill(s.vehicles, 3, [this] { return vehicle(); });
+    if (coin()) s.backdrop = backdrop();
     return s;
   }
 
@@ -81,6 +82,14 @@ private:
     Route r{name(), {point(), point()}, Metres{number(0.01, 1)}};
     fill(r.vertices, 6, [this] { return point(); });
     return r;
+  }
+  Backdrop backdrop() {
+    Backdrop b{name(), nullptr, point(), Metres{number(0.001, 1)}, angle(), number(0, 1)};
+    // Of any length, so that its text ends in every way.
+    std::string bytes = coin() ? "\x89PNG\r\n\x1A\n" : "\xFF\xD8\xFF";
+    for (int i = whole(0, 20); i > 0; --i) bytes += static_cast<char>(whole(0, 255));
+    b.picture = std::make_shared<const std::string>(std::move(bytes));
+    return b;
   }
   VehicleSetup vehicle() {
     VehicleSetup v;

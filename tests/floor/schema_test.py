@@ -16,6 +16,7 @@ SCHEMA = json.loads((ROOT / "docs/site.schema.json").read_text("utf-8"))
 SITES = {p.name: json.loads(p.read_text("utf-8")) for p in sorted((ROOT / "resources/sites").glob("*.tessera.json"))}
 PAPER = SITES["paper.tessera.json"]
 MISSING = object()
+BACKDROP = {"file": "hall.png", "origin_m": [1, -2], "metres_per_pixel": 0.02, "picture": "iVBORw0KGgo="}
 
 
 def changed(pointer, value):
@@ -41,6 +42,8 @@ GOOD = [changed(*c) for c in [
     ("/tile_types/0/margin_m", MISSING), ("/tile_types/0/starts_with_gap", True), ("/zones/0/kind", "no-go"),
     ("/zones/0/speed_mps", 0.2), ("/zones/0/direction_deg", 90), ("/routes/0/control_spacing_m", MISSING),
     ("/vehicles/0/start", MISSING), ("/vehicles/0/id", 254), ("/vehicles/0/track_m", MISSING), ("/vehicles", MISSING),
+    ("/backdrop", BACKDROP), ("/backdrop", {**BACKDROP, "turn_deg": -360, "opacity": 1, "file": "平" * 200}),
+    ("/backdrop", {**BACKDROP, "picture": "/9j/4AAQ", "metres_per_pixel": 100}),
     ("/name", "地" * 200), ("/loose_tags", [{"uid": "04000000", "x_m": 1, "y_m": 2}]), ("/zones/0/kind", "one-way")]]
 
 BAD = {f"{c[0]} = {'(missing)' if c[1] is MISSING else json.dumps(c[1])[:60]}": changed(*c) for c in [
@@ -60,6 +63,11 @@ BAD = {f"{c[0]} = {'(missing)' if c[1] is MISSING else json.dumps(c[1])[:60]}": 
     ("/routes/0/name", MISSING), ("/vehicles/0/id", 0), ("/vehicles/0/id", 255), ("/vehicles/0/key", "00"),
     ("/vehicles/0/key", MISSING), ("/vehicles/0/key", "G" * 32), ("/vehicles/0/readers_m", []),
     ("/vehicles/0/readers_m", [[0, 0]] * 9), ("/vehicles/0/start/heading_deg", MISSING),
+    ("/backdrop", None), ("/backdrop", {k: v for k, v in BACKDROP.items() if k != "picture"}),
+    ("/backdrop", {**BACKDROP, "picture": "R0lGODlh"}), ("/backdrop", {**BACKDROP, "picture": "iVBORw0KGg!="}),
+    ("/backdrop", {**BACKDROP, "picture": ""}), ("/backdrop", {**BACKDROP, "opacity": 1.1}),
+    ("/backdrop", {**BACKDROP, "metres_per_pixel": 0}), ("/backdrop", {**BACKDROP, "origin_m": [1]}),
+    ("/backdrop", {**BACKDROP, "file": ""}), ("/backdrop", {**BACKDROP, "turn": 90}),
     ("/vehicles/0/start", None), ("/vehicles/0/max_speed_mps", -1), ("/vehicles/0/footprint_m", [[0, 0]])]}
 
 

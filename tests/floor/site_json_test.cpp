@@ -40,6 +40,7 @@ Site withAnglesOf(Site site, const Site& like) {
     if (site.vehicles[i].start && like.vehicles[i].start)
       roundOff(site.vehicles[i].start->heading, like.vehicles[i].start->heading);
   }
+  if (site.backdrop && like.backdrop) roundOff(site.backdrop->turn, like.backdrop->turn);
   return site;
 }
 
@@ -128,6 +129,29 @@ TEST(SiteJson, thePublicationsFloorIsTheOneDescribed) {
   ASSERT_NE(vehicle, nullptr);
   EXPECT_EQ(vehicle->readers.size(), 3U);
   EXPECT_EQ(vehicle->start->position, route->vertices.front());
+}
+
+TEST(SiteJson, aPictureComesBackWithEveryByteAndItsPlace) {
+  std::string bytes = "\x89PNG\r\n\x1A\n";
+  for (int n = 0; n < 1000; ++n) bytes += static_cast<char>(n % 256);
+  Site site;
+  site.name = "hall";
+  EXPECT_EQ(writeSite(site).find("backdrop"), std::string::npos) << "files without one stay as they were";
+  site.backdrop = Backdrop{"Halle 3.png",
+                           std::make_shared<const std::string>(bytes),
+                           {Metres{-1.5}, Metres{2}},
+                           Metres{0.02},
+                           fromDegrees(30),
+                           0.25};
+  const std::string text = writeSite(site);
+  EXPECT_NE(text.find("\"backdrop\": {\"file\": \"Halle 3.png\", \"origin_m\": [-1.5, 2], \"metres_per_pixel\": 0.02, "
+                      "\"turn_deg\": 30, \"opacity\": 0.25,\n    \"picture\": \"iVBORw0KGgo"),
+            std::string::npos)
+      << text;
+  const auto back = parseSite(text, "hall");
+  ASSERT_TRUE(back) << back.error().sentence;
+  EXPECT_EQ(*back, site);
+  EXPECT_EQ(*back->backdrop->picture, bytes);
 }
 
 TEST(SiteJson, theThreeRoutesKeepApart) {

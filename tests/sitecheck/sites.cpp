@@ -145,6 +145,29 @@ public:
         site_.radio.channel = static_cast<int>(below(40));
     }
   }
+  void backdrop() {
+    if (!site_.backdrop || below(5) == 0) {
+      const std::string bytes = "\xFF\xD8\xFF" + std::to_string(below(2));
+      site_.backdrop = floor::Backdrop{"hall.jpg", std::make_shared<const std::string>(bytes), {}, {}, {}, 0.5};
+      return;
+    }
+    switch (below(5)) {
+      case 0:
+        site_.backdrop.reset();
+        return;
+      case 1:
+        site_.backdrop->origin = somewhere();
+        return;
+      case 2:
+        site_.backdrop->turn = Radians{step()};
+        return;
+      case 3:
+        site_.backdrop->pixel = Metres{0.02 + step() / 10.0};
+        return;
+      default:
+        site_.backdrop->opacity = 0.5 + step();
+    }
+  }
   std::size_t below(std::size_t n) { return random_() % n; }
 
 private:
@@ -170,7 +193,7 @@ private:
 
 void editAtRandom(Site& site, std::mt19937_64& random) {
   Editor editor{site, random};
-  switch (editor.below(5)) {
+  switch (editor.below(6)) {
     case 0:
       return editor.tiles();
     case 1:
@@ -179,6 +202,8 @@ void editAtRandom(Site& site, std::mt19937_64& random) {
       return editor.zones();
     case 3:
       return editor.routes();
+    case 4:
+      return editor.backdrop();
     default:
       return editor.vehicles();
   }

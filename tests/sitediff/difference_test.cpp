@@ -103,6 +103,35 @@ TEST(Difference, ofZonesRoutesAndVehicles) {
   EXPECT_EQ(change.name, "1");
   change = only([](Site& s) { s.radio.channel = 5; });
   EXPECT_EQ(change.subject, Subject::Radio);
+  change = only([](Site& s) {
+    s.backdrop = floor::Backdrop{"hall.png", std::make_shared<const std::string>("bytes"), {}, {}, {}, 0.5};
+  });
+  EXPECT_EQ(change.sentence, "Floor plan \"hall.png\" is new.");
+  EXPECT_EQ(codeOf(change.subject), "backdrop");
+}
+
+TEST(Difference, tellsOfThePictureBeneathWhatIsDifferent) {
+  Site before = goodFloor();
+  before.backdrop = floor::Backdrop{"hall.png", std::make_shared<const std::string>("bytes"), {}, {}, {}, 0.5};
+  const auto told = [&before](auto edit) {
+    Site after = before;
+    edit(after);
+    std::string all;
+    for (const Change& change : difference(before, after)) all += change.sentence.english() + "\n";
+    return all;
+  };
+  EXPECT_EQ(told([](Site& s) { s.backdrop->picture = std::make_shared<const std::string>("bytes"); }), "")
+      << "the same bytes elsewhere in memory";
+  EXPECT_EQ(told([](Site& s) { s.backdrop->picture = std::make_shared<const std::string>("other"); }),
+            "Floor plan \"hall.png\": another picture.\n");
+  EXPECT_EQ(told([](Site& s) {
+              s.backdrop->origin = at(1, 2);
+              s.backdrop->pixel = Metres{0.05};
+              s.backdrop->opacity = 1.0;
+            }),
+            "Floor plan \"hall.png\" moves from (0.00, 0.00) to (1.00, 2.00) m.\n"
+            "Floor plan \"hall.png\": another scale or direction.\nFloor plan \"hall.png\": another opacity.\n");
+  EXPECT_EQ(told([](Site& s) { s.backdrop.reset(); }), "Floor plan \"hall.png\" is gone.\n");
 }
 
 }  // namespace

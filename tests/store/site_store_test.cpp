@@ -124,6 +124,36 @@ TEST_F(Sites, writeOnlyTheSectionThatDiffers) {
   EXPECT_EQ(loaded("k"), site);
 }
 
+TEST_F(Sites, writeAPictureOnceHoweverOftenItIsMoved) {
+  floor::Site site;
+  site.backdrop = floor::Backdrop{"hall.png", std::make_shared<const std::string>(3'000'000, '\0'), {}, {}, {}, 0.5};
+  ASSERT_TRUE(store_.save("k", site, 1, true));
+  const qint64 rows = rowsChanged();
+  site.backdrop->origin.x = Metres{3};
+  ASSERT_TRUE(store_.save("k", site, 2, true));
+  EXPECT_EQ(rowsChanged() - rows, 4) << "head, place (taken away and put there), the section's fingerprint";
+  EXPECT_EQ(loaded("k"), site);
+  site.backdrop->picture = std::make_shared<const std::string>("\0other", 6);
+  ASSERT_TRUE(store_.save("k", site, 3, true));
+  EXPECT_EQ(loaded("k"), site);
+  site.backdrop.reset();
+  ASSERT_TRUE(store_.save("k", site, 4, true));
+  EXPECT_EQ(loaded("k"), site);
+}
+
+TEST_F(Sites, ofADatabaseFromBeforePicturesAreKeptAndMayGetOne) {
+  floor::Site site = floor::randomSite(7);
+  site.backdrop.reset();
+  ASSERT_TRUE(store_.save("k", site, 1, true));
+  backTo(2);
+  const auto newer = open();
+  ASSERT_NE(newer, nullptr);
+  EXPECT_EQ(SiteStore{*newer}.load("k").value(), site);
+  site.backdrop = floor::Backdrop{"hall.png", std::make_shared<const std::string>("picture"), {}, {}, {}, 0.5};
+  ASSERT_TRUE(SiteStore{*newer}.save("k", site, 2, true));
+  EXPECT_EQ(SiteStore{*newer}.load("k").value(), site);
+}
+
 TEST_F(Sites, noticeWhatAnotherCopyOfTheProgramWrote) {
   const floor::Site first = floor::randomSite(1);
   const floor::Site second = floor::randomSite(2);

@@ -9,9 +9,12 @@
 #include <iterator>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "store/database.h"
 #include "store/journal_entry.h"
+#include "store/migrations.h"
+#include "store/transaction.h"
 
 namespace tessera::store::test {
 
@@ -28,6 +31,21 @@ protected:
   [[nodiscard]] std::string refusal(const Database::Options& options = {}) const {
     const auto database = Database::open(file(), options);
     return database ? "" : database.error().sentence;
+  }
+  /// As if made by the program that knew no step of the layout after `version`.
+  void backTo(int version, const char* more = nullptr) const {
+    const std::vector<std::vector<const char*>> undone{
+        {"DROP TABLE journal"},
+        {"DROP TABLE backdrop", "DROP TABLE backdrop_picture", "DELETE FROM section WHERE name LIKE 'backdrop%'"}};
+    auto database = open();
+    ASSERT_EQ(static_cast<int>(undone.size()) + 1, newestVersion()) << "a step that this does not take back";
+    Transaction writing{*database, Transaction::Kind::Write};
+    for (int step = newestVersion(); step > version; --step) {
+      for (const char* sql : undone.at(static_cast<std::size_t>(step) - 2)) writing.run(QLatin1String{sql});
+    }
+    writing.run(QStringLiteral("DELETE FROM schema_version WHERE version > ?"), {version});
+    if (more != nullptr) writing.run(QLatin1String{more});
+    ASSERT_TRUE(writing.commit());
   }
   static std::string bytesOf(const std::filesystem::path& path) {
     std::ifstream in{path, std::ios::binary};
