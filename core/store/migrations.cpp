@@ -66,7 +66,19 @@ constexpr std::array kBackdrops{
     "CREATE TABLE backdrop_picture(site INTEGER PRIMARY KEY REFERENCES site ON DELETE CASCADE, picture BLOB NOT NULL)",
 };
 
-constexpr std::array<std::span<const char* const>, 3> kSteps{kSites, kJournal, kBackdrops};
+constexpr std::array kRevisions{
+    // text: a compressed site file that holds this part alone; bytes: its length.
+    "CREATE TABLE revision_part(id INTEGER PRIMARY KEY, digest BLOB NOT NULL UNIQUE, bytes INTEGER NOT NULL, text BLOB"
+    " NOT NULL)",
+    // key: as in site, but what is no longer kept there has its revisions still. Numbers of changes NULL: unknown.
+    "CREATE TABLE revision(id INTEGER PRIMARY KEY, key TEXT NOT NULL, saved_ms INTEGER NOT NULL, who TEXT NOT NULL,"
+    " what TEXT NOT NULL, found INTEGER NOT NULL, floor INTEGER NOT NULL REFERENCES revision_part, picture INTEGER NOT"
+    " NULL REFERENCES revision_part, rest INTEGER NOT NULL REFERENCES revision_part, laid INTEGER, moved INTEGER,"
+    " taken_up INTEGER, tags INTEGER, zones INTEGER, routes INTEGER, vehicles INTEGER, others INTEGER)",
+    "CREATE INDEX revision_by_key ON revision(key, id)",
+};
+
+constexpr std::array<std::span<const char* const>, 4> kSteps{kSites, kJournal, kBackdrops, kRevisions};
 
 constexpr int kApplicationId = 0x54455353;  // "TESS", by which `file` and this program know their own
 

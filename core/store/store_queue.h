@@ -15,6 +15,7 @@
 
 #include "floor/site_map.h"
 #include "store/journal_entry.h"
+#include "store/revision_note.h"
 
 namespace tessera::store {
 
@@ -35,18 +36,29 @@ struct RenameSite {
 struct RemoveSite {
   std::string key;
 };
-using SiteChange = std::variant<KeepSite, SetDiffers, RenameSite, RemoveSite>;
+struct AddRevision {
+  std::string key;
+  std::shared_ptr<const floor::SiteMap> map;
+  RevisionNote note;
+};
+using SiteChange = std::variant<KeepSite, SetDiffers, RenameSite, RemoveSite, AddRevision>;
 
 struct LoadSite {
   std::string key;
 };
 struct ListSites {};
+struct ListRevisions {
+  std::string key;
+};
+struct LoadRevision {
+  std::int64_t id = 0;
+};
 struct QueryJournal {
   JournalFilter filter;
 };
 struct Request {
   std::uint64_t id = 0;
-  std::variant<LoadSite, ListSites, QueryJournal> what;
+  std::variant<LoadSite, ListSites, ListRevisions, LoadRevision, QueryJournal> what;
 };
 
 /// What the storage thread takes at one go. Changes come before notes, notes before the requests that may ask for them.

@@ -97,6 +97,10 @@ private:
             [&](const SetDiffers& c) { return sites.setDiffers(c.key, c.differsFromFile); },
             [&](const RenameSite& c) { return sites.rename(c.from, c.to); },
             [&](const RemoveSite& c) { return sites.remove(c.key); },
+            [&](const AddRevision& c) -> Result<void> {
+              const auto added = Revisions{*database_}.add(c.key, c.map->site(), c.note);
+              return added ? Result<void>{} : tl::unexpected{added.error()};
+            },
         },
         change);
   }
@@ -131,6 +135,16 @@ private:
                      const auto sites = SiteStore{*database_}.list();
                      if (!sites) return refuse(sites.error());
                      Q_EMIT owner_.sitesListed(request.id, *sites);
+                   },
+                   [&](const ListRevisions& what) {
+                     const auto revisions = Revisions{*database_}.list(what.key);
+                     if (!revisions) return refuse(revisions.error());
+                     Q_EMIT owner_.revisionsListed(request.id, *revisions);
+                   },
+                   [&](const LoadRevision& what) {
+                     auto map = Revisions{*database_}.load(what.id).and_then(&floor::SiteMap::build);
+                     if (!map) return refuse(map.error());
+                     Q_EMIT owner_.revisionLoaded(request.id, *map);
                    },
                    [&](const QueryJournal& what) {
                      const auto page = Journal{*database_}.query(what.filter);
@@ -189,6 +203,10 @@ bool StoreThread::renameSite(std::string from, std::string to) {
 
 bool StoreThread::removeSite(std::string key) { return queue_.change(RemoveSite{std::move(key)}); }
 
+bool StoreThread::addRevision(std::string key, std::shared_ptr<const floor::SiteMap> map, RevisionNote note) {
+  return queue_.change(AddRevision{std::move(key), std::move(map), std::move(note)});
+}
+
 bool StoreThread::appendEvents(std::vector<Note> notes) { return queue_.note(std::move(notes)); }
 
 std::uint64_t StoreThread::ask(decltype(Request::what) what) {
@@ -198,6 +216,8 @@ std::uint64_t StoreThread::ask(decltype(Request::what) what) {
 
 std::uint64_t StoreThread::loadSite(std::string key) { return ask(LoadSite{std::move(key)}); }
 std::uint64_t StoreThread::listSites() { return ask(ListSites{}); }
+std::uint64_t StoreThread::listRevisions(std::string key) { return ask(ListRevisions{std::move(key)}); }
+std::uint64_t StoreThread::loadRevision(std::int64_t id) { return ask(LoadRevision{id}); }
 std::uint64_t StoreThread::queryJournal(JournalFilter filter) { return ask(QueryJournal{std::move(filter)}); }
 
 }  // namespace tessera::store

@@ -13,6 +13,7 @@
 
 #include "base/sentence.h"
 #include "store/database.h"
+#include "store/revisions.h"
 #include "store/site_store.h"
 #include "store/store_queue.h"
 
@@ -45,12 +46,16 @@ public:
   bool setDiffers(std::string key, bool differsFromFile);
   bool renameSite(std::string from, std::string to);
   bool removeSite(std::string key);
+  /// As Revisions::add().
+  bool addRevision(std::string key, std::shared_ptr<const floor::SiteMap> map, RevisionNote note);
   bool appendEvents(std::vector<Note> notes);
 
   // Requests, from any thread; each gives the number under which its answer comes. 0: closed, or too many wait.
 
   std::uint64_t loadSite(std::string key);
   std::uint64_t listSites();
+  std::uint64_t listRevisions(std::string key);
+  std::uint64_t loadRevision(std::int64_t id);
   std::uint64_t queryJournal(JournalFilter filter);
 
 Q_SIGNALS:
@@ -58,6 +63,8 @@ Q_SIGNALS:
   void siteLoaded(quint64 request, const std::shared_ptr<const tessera::floor::SiteMap>& map);
   /// The latest first.
   void sitesListed(quint64 request, const std::vector<tessera::store::KeptSite>& sites);
+  void revisionsListed(quint64 request, const std::vector<tessera::store::Revision>& revisions);
+  void revisionLoaded(quint64 request, const std::shared_ptr<const tessera::floor::SiteMap>& map);
   void journalFound(quint64 request, const tessera::store::JournalPage& page);
   void requestFailed(quint64 request, const tessera::Sentence& sentence);
 

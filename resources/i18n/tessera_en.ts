@@ -33,6 +33,16 @@
     </message>
 </context>
 <context>
+    <name>tessera::desktop::StepLog</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>tessera::ui::ChangesDialog</name>
     <message numerus="yes">
         <source>%n changes. They are made all together, as one step that can be undone.</source>
@@ -151,6 +161,82 @@
         <translation>
             <numerusform>%n reader still to try.</numerusform>
             <numerusform>%n readers still to try.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::RevisionModel</name>
+    <message numerus="yes">
+        <source>%n tile(s) laid</source>
+        <translation>
+            <numerusform>%n tile laid</numerusform>
+            <numerusform>%n tiles laid</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tile(s) moved</source>
+        <translation>
+            <numerusform>%n tile moved</numerusform>
+            <numerusform>%n tiles moved</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tile(s) taken up</source>
+        <translation>
+            <numerusform>%n tile taken up</numerusform>
+            <numerusform>%n tiles taken up</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tag(s)</source>
+        <translation>
+            <numerusform>%n tag</numerusform>
+            <numerusform>%n tags</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n zone(s)</source>
+        <translation>
+            <numerusform>%n zone</numerusform>
+            <numerusform>%n zones</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n route(s)</source>
+        <translation>
+            <numerusform>%n route</numerusform>
+            <numerusform>%n routes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n vehicle(s)</source>
+        <translation>
+            <numerusform>%n vehicle</numerusform>
+            <numerusform>%n vehicles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other change(s)</source>
+        <translation>
+            <numerusform>%n other change</numerusform>
+            <numerusform>%n other changes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::RevisionPanel</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Since %1: %n difference(s). Click one to go there.</source>
+        <translation>
+            <numerusform>Since %1: %n difference. Click it to go there.</numerusform>
+            <numerusform>Since %1: %n differences. Click one to go there.</numerusform>
         </translation>
     </message>
 </context>

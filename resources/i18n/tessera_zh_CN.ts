@@ -2,6 +2,25 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>ChangeMarks</name>
+    <message>
+        <source>Added</source>
+        <translation>新增</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>更改</translation>
+    </message>
+</context>
+<context>
     <name>Core</name>
     <message>
         <source>slowing down before the corner</source>
@@ -1735,6 +1754,14 @@
         <source>LIF carries no picture of the floor plan; left out.</source>
         <translation>LIF 不含平面图的图片；已略去。</translation>
     </message>
+    <message>
+        <source>This revision is no longer kept: newer ones took its place.</source>
+        <translation>该修订版本已不再保留：较新的版本取代了它。</translation>
+    </message>
+    <message>
+        <source>%1: this revision is damaged and cannot be read. The others and the site are as they were.</source>
+        <translation>%1：该修订版本已损坏，无法读取。其他修订版本和场地不受影响。</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>
@@ -2537,6 +2564,33 @@
     </message>
 </context>
 <context>
+    <name>tessera::desktop::RevisionDesk</name>
+    <message>
+        <source>It cannot be read just now. Try again in a moment.</source>
+        <translation>现在无法读取。请稍后重试。</translation>
+    </message>
+    <message>
+        <source>Save the revision as a file</source>
+        <translation>将修订版本另存为文件</translation>
+    </message>
+    <message>
+        <source>Sites (*%1)</source>
+        <translation>场地 (*%1)</translation>
+    </message>
+    <message>
+        <source>The revision could not be saved</source>
+        <translation>无法保存修订版本</translation>
+    </message>
+    <message>
+        <source>%1 exists already. Choose another name.</source>
+        <translation>%1 已存在。请换一个名称。</translation>
+    </message>
+    <message>
+        <source>%1 is the open site&apos;s file. Choose another name.</source>
+        <translation>%1 是当前场地的文件。请换一个名称。</translation>
+    </message>
+</context>
+<context>
     <name>tessera::desktop::SiteFiles</name>
     <message>
         <source>Open a site</source>
@@ -2661,6 +2715,23 @@
     <message>
         <source>&amp;Open it here as well</source>
         <translation>在这里也打开(&amp;O)</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::desktop::StepLog</name>
+    <message>
+        <source>Undo: %1</source>
+        <translation>撤销：%1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 times)</source>
+        <translation>%1（%2 次）</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>以及其他 %n 项</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2920,6 +2991,10 @@
     <message>
         <source>&amp;Measure</source>
         <translation>测量(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Re&amp;visions</source>
+        <translation>修订版本(&amp;V)</translation>
     </message>
 </context>
 <context>
@@ -5031,6 +5106,200 @@ x %2 m，y %3 m</translation>
     <message>
         <source>Hold the lit tag to the reader. Backspace: one back. Del: skip it. Double-click a tag: go on there. Esc: leave.</source>
         <translation>读取点亮的标签。Backspace：退回一个。Del：跳过。双击标签：从那里继续。Esc：离开。</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::RevisionModel</name>
+    <message numerus="yes">
+        <source>%n tile(s) laid</source>
+        <translation>
+            <numerusform>铺设 %n 块地板砖</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tile(s) moved</source>
+        <translation>
+            <numerusform>移动 %n 块地板砖</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tile(s) taken up</source>
+        <translation>
+            <numerusform>取走 %n 块地板砖</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tag(s)</source>
+        <translation>
+            <numerusform>%n 个标签</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n zone(s)</source>
+        <translation>
+            <numerusform>%n 个区域</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n route(s)</source>
+        <translation>
+            <numerusform>%n 条路径</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n vehicle(s)</source>
+        <translation>
+            <numerusform>%n 辆车</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other change(s)</source>
+        <translation>
+            <numerusform>%n 项其他改动</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>only the order of lists</source>
+        <translation>仅列表顺序</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>the file as it was opened</source>
+        <translation>打开时的文件</translation>
+    </message>
+    <message>
+        <source>saved without a step</source>
+        <translation>无步骤保存</translation>
+    </message>
+    <message>
+        <source>the first that is kept</source>
+        <translation>保留的第一个</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>%1, %2
+%3
+%4</source>
+        <translation>%1，%2
+%3
+%4</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>保存者</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>步骤</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>改动</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::RevisionPanel</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>以及其他 %n 项</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This site is in no file yet. Save it (Ctrl+S): each saving becomes a revision here.</source>
+        <translation>该场地还没有文件。请保存（Ctrl+S）：每次保存都会在此成为一个修订版本。</translation>
+    </message>
+    <message>
+        <source>There is no revision yet. Save the site (Ctrl+S): each saving becomes a revision here.</source>
+        <translation>还没有修订版本。请保存场地（Ctrl+S）：每次保存都会在此成为一个修订版本。</translation>
+    </message>
+    <message>
+        <source>Choose a revision to see what has changed since then.</source>
+        <translation>选择一个修订版本，查看自那时以来的变化。</translation>
+    </message>
+    <message>
+        <source>Comparing…</source>
+        <translation>正在比较…</translation>
+    </message>
+    <message>
+        <source>The site is the same as on %1.</source>
+        <translation>场地与 %1 时相同。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Since %1: %n difference(s). Click one to go there.</source>
+        <translation>
+            <numerusform>自 %1 以来：%n 处差异。单击可前往。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Since %1</source>
+        <translation>自 %1 以来</translation>
+    </message>
+    <message>
+        <source>The site is as it was then: there is nothing to go back to.</source>
+        <translation>场地与当时相同，无需回退。</translation>
+    </message>
+    <message>
+        <source>Go back to %1</source>
+        <translation>回到 %1</translation>
+    </message>
+    <message>
+        <source>The site is as it was on %1. Undo (Ctrl+Z) takes that back.</source>
+        <translation>场地已恢复为 %1 时的样子。撤销（Ctrl+Z）可收回。</translation>
+    </message>
+    <message>
+        <source>The vehicles keep the keys that they have now.</source>
+        <translation>车辆保留现在的密钥。</translation>
+    </message>
+    <message>
+        <source>Revisions</source>
+        <translation>修订版本</translation>
+    </message>
+    <message>
+        <source>&amp;Go back to this one</source>
+        <translation>回到这个版本(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Put the site back as it was then, as one step that can be undone</source>
+        <translation>使场地恢复为当时的样子，作为一步完成，可以撤销</translation>
+    </message>
+    <message>
+        <source>Save as a &amp;file…</source>
+        <translation>另存为文件(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Write this revision to a file of its own; the open site stays as it is</source>
+        <translation>把该修订版本写入单独的文件；当前场地保持不变</translation>
+    </message>
+    <message>
+        <source>&amp;End comparing</source>
+        <translation>结束比较(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Take the differences off the floor (Esc)</source>
+        <translation>把差异从地面上取下 (Esc)</translation>
+    </message>
+    <message>
+        <source>You save as:</source>
+        <translation>保存者：</translation>
+    </message>
+    <message>
+        <source>The name that stands beside what you save</source>
+        <translation>写在您所保存内容旁边的名字</translation>
+    </message>
+    <message>
+        <source>What has changed since</source>
+        <translation>自那时以来的变化</translation>
     </message>
 </context>
 <context>

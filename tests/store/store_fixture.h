@@ -36,7 +36,8 @@ protected:
   void backTo(int version, const char* more = nullptr) const {
     const std::vector<std::vector<const char*>> undone{
         {"DROP TABLE journal"},
-        {"DROP TABLE backdrop", "DROP TABLE backdrop_picture", "DELETE FROM section WHERE name LIKE 'backdrop%'"}};
+        {"DROP TABLE backdrop", "DROP TABLE backdrop_picture", "DELETE FROM section WHERE name LIKE 'backdrop%'"},
+        {"DROP TABLE revision", "DROP TABLE revision_part"}};
     auto database = open();
     ASSERT_EQ(static_cast<int>(undone.size()) + 1, newestVersion()) << "a step that this does not take back";
     Transaction writing{*database, Transaction::Kind::Write};

@@ -64,6 +64,28 @@ TEST_F(Storage, keepsSitesAndAnswersWithThem) {
   EXPECT_EQ(listed[0][1].value<std::vector<KeptSite>>(), (std::vector<KeptSite>{{"k", "Hall", 5, true}}));
 }
 
+TEST_F(Storage, keepsRevisionsAndAnswersWithThem) {
+  StoreThread storage{options_};
+  QSignalSpy listed{&storage, &StoreThread::revisionsListed};
+  QSignalSpy loaded{&storage, &StoreThread::revisionLoaded};
+  QSignalSpy refused{&storage, &StoreThread::requestFailed};
+  storage.start();
+  EXPECT_TRUE(storage.addRevision("k", mapOf("Hall"), {5, "Ada", "New site", false}));
+  EXPECT_TRUE(storage.addRevision("k", mapOf("Hall", 2), {6, "Ada", "Draw a route", false}));
+  const std::uint64_t list = storage.listRevisions("k");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return listed.count() == 1; }));
+  EXPECT_EQ(listed[0][0].value<quint64>(), list);
+  const auto all = listed[0][1].value<std::vector<Revision>>();
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].note, (RevisionNote{6, "Ada", "Draw a route", false}));
+  const std::uint64_t request = storage.loadRevision(all[1].id);
+  const std::uint64_t nothing = storage.loadRevision(4711);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return loaded.count() == 1 && refused.count() == 1; }));
+  EXPECT_EQ(loaded[0][0].value<quint64>(), request);
+  EXPECT_EQ(loaded[0][1].value<std::shared_ptr<const floor::SiteMap>>()->site(), mapOf("Hall")->site());
+  EXPECT_EQ(refused[0][0].value<quint64>(), nothing);
+}
+
 TEST_F(Storage, finishesWhatWaitsBeforeItCloses) {
   StoreThread storage{options_};
   storage.start();
