@@ -4,6 +4,7 @@
 
 #include "floor/json_node.h"
 #include "floor/picture.h"
+#include "floor/route_legs.h"
 #include "floor/site_json.h"
 #include "floor/site_names.h"
 
@@ -131,12 +132,23 @@ Zone readZone(JsonNode n) {
   return zone;
 }
 
+std::optional<MetresPerSecond> readLegSpeed(const JsonNode& n) {
+  if (n.isNull()) return std::nullopt;
+  return MetresPerSecond{n.number(kLeastLegSpeed.value(), kMostLegSpeed.value(), "m/s")};
+}
+
 Route readRoute(JsonNode n) {
-  n.object({"name", "vertices_m"}, {"control_spacing_m"});
+  n.object({"name", "vertices_m"}, {"control_spacing_m", "leg_speeds_mps"});
   Route route;
   route.name = n["name"].text(1, kMaxName);
   route.vertices = n["vertices_m"].list(2, kSome, readPoint);
   if (n["control_spacing_m"].present()) route.controlSpacing = readMetres(n["control_spacing_m"], 0.01, 10.0);
+  if (const JsonNode speeds = n["leg_speeds_mps"]; speeds.present()) {
+    route.legSpeeds = speeds.list(1, kSome, readLegSpeed);
+    if (!n.failed() && route.legSpeeds.size() != legCount(route))
+      speeds.fail(phrase("Core", "a speed or null for each leg, one fewer than vertices"));
+    tidyLegSpeeds(route);
+  }
   return route;
 }
 

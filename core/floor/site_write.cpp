@@ -1,4 +1,5 @@
 // Site to *.tessera.json: one item a line, keys in a fixed order, numbers as short as they read back exactly.
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -115,8 +116,14 @@ std::string line(const Zone& z) {
 }
 
 std::string line(const Route& r) {
-  return "{\"name\": " + jsonText(r.name) + ", \"control_spacing_m\": " + decimal(r.controlSpacing.value()) +
-         ", \"vertices_m\": " + inBrackets(r.vertices, pair<Point>) + "}";
+  const auto isSet = [](const std::optional<MetresPerSecond>& speed) { return speed.has_value(); };
+  const auto speed = [](const std::optional<MetresPerSecond>& v) { return v ? decimal(v->value()) : "null"; };
+  std::string s = "{\"name\": " + jsonText(r.name) + ", \"control_spacing_m\": " + decimal(r.controlSpacing.value()) +
+                  ", \"vertices_m\": " + inBrackets(r.vertices, pair<Point>);
+  // Only where there is one: sites without keep their files to the byte, and older programs read them.
+  if (std::any_of(r.legSpeeds.begin(), r.legSpeeds.end(), isSet))
+    s += ", \"leg_speeds_mps\": " + inBrackets(r.legSpeeds, speed);
+  return s + "}";
 }
 
 std::string keyText(const wire::Key& key) {

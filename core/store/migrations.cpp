@@ -78,7 +78,12 @@ constexpr std::array kRevisions{
     "CREATE INDEX revision_by_key ON revision(key, id)",
 };
 
-constexpr std::array<std::span<const char* const>, 4> kSteps{kSites, kJournal, kBackdrops, kRevisions};
+constexpr std::array kLegSpeeds{
+    // Of the leg that begins at the vertex; NULL: as ordered.
+    "ALTER TABLE route_vertex ADD COLUMN leg_speed",
+};
+
+constexpr std::array<std::span<const char* const>, 5> kSteps{kSites, kJournal, kBackdrops, kRevisions, kLegSpeeds};
 
 constexpr int kApplicationId = 0x54455353;  // "TESS", by which `file` and this program know their own
 

@@ -3,6 +3,7 @@
 #include <span>
 #include <utility>
 
+#include "floor/route_legs.h"
 #include "floor/site_names.h"
 #include "store/site_store.h"
 #include "store/transaction.h"
@@ -39,9 +40,10 @@ public:
     each("SELECT name, control_spacing FROM route WHERE site=? ORDER BY nr", [&](const Statement& row) {
       site.routes.push_back({row.text(0), {}, Metres{row.number(1)}});
     });
-    each("SELECT route, x, y FROM route_vertex WHERE site=? ORDER BY route, nr", [&](const Statement& row) {
-      if (auto* route = owner(row, site.routes)) route->vertices.push_back(point(row, 1));
+    each("SELECT route, x, y, leg_speed FROM route_vertex WHERE site=? ORDER BY route, nr", [&](const Statement& row) {
+      if (auto* route = owner(row, site.routes)) vertex(row, *route);
     });
+    for (floor::Route& route : site.routes) tidyLegSpeeds(route);
     each(
         "SELECT id, name, key, reader_radius, track, wheel_diameter, max_speed, max_turn_rate, acceleration, start_x,"
         " start_y, start_heading FROM vehicle WHERE site=? ORDER BY nr",
@@ -118,6 +120,10 @@ private:
   }
   static floor::Backdrop backdrop(const Statement& row) {
     return {row.text(0), nullptr, point(row, 1), Metres{row.number(3)}, Radians{row.number(4)}, row.number(5)};
+  }
+  static void vertex(const Statement& row, floor::Route& route) {
+    route.vertices.push_back(point(row, 1));
+    route.legSpeeds.push_back(row.isNull(3) ? std::nullopt : std::optional{MetresPerSecond{row.number(3)}});
   }
   floor::VehicleSetup vehicle(const Statement& row) {
     floor::VehicleSetup vehicle;

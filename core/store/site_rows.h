@@ -95,7 +95,10 @@ void rowsOf(const std::vector<floor::Route>& routes, Sink& sink) {
   for (std::size_t i = 0; i < routes.size(); ++i) {
     const auto& [name, vertices, controlSpacing, legSpeeds] = routes[i];
     sink.row(Table::Route, i, name, controlSpacing.value());
-    rowsOfPlaces(Table::RouteVertex, i, vertices, sink);
+    // A leg's speed stands with the vertex that it begins at.
+    for (std::size_t n = 0; n < vertices.size(); ++n)
+      sink.row(Table::RouteVertex, i, n, vertices[n].x.value(), vertices[n].y.value(),
+               n < legSpeeds.size() ? valueOf(legSpeeds[n]) : std::nullopt);
   }
 }
 

@@ -3,6 +3,8 @@
 #include <array>
 #include <random>
 
+#include "floor/route_legs.h"
+
 namespace tessera::floor {
 namespace {
 
@@ -81,6 +83,11 @@ private:
   Route route() {
     Route r{name(), {point(), point()}, Metres{number(0.01, 1)}};
     fill(r.vertices, 6, [this] { return point(); });
+    if (coin()) {
+      for (std::size_t leg = 0; leg < legCount(r); ++leg)
+        r.legSpeeds.push_back(coin() ? std::optional{MetresPerSecond{number(0.01, 2)}} : std::nullopt);
+      tidyLegSpeeds(r);
+    }
     return r;
   }
   Backdrop backdrop() {

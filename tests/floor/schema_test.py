@@ -44,7 +44,8 @@ GOOD = [changed(*c) for c in [
     ("/vehicles/0/start", MISSING), ("/vehicles/0/id", 254), ("/vehicles/0/track_m", MISSING), ("/vehicles", MISSING),
     ("/backdrop", BACKDROP), ("/backdrop", {**BACKDROP, "turn_deg": -360, "opacity": 1, "file": "平" * 200}),
     ("/backdrop", {**BACKDROP, "picture": "/9j/4AAQ", "metres_per_pixel": 100}),
-    ("/name", "地" * 200), ("/loose_tags", [{"uid": "04000000", "x_m": 1, "y_m": 2}]), ("/zones/0/kind", "one-way")]]
+    ("/name", "地" * 200), ("/loose_tags", [{"uid": "04000000", "x_m": 1, "y_m": 2}]), ("/zones/0/kind", "one-way"),
+    ("/routes/0/leg_speeds_mps", [None, 0.001, 20, 0.1, None]), ("/routes/0/leg_speeds_mps", [None] * 5)]]
 
 BAD = {f"{c[0]} = {'(missing)' if c[1] is MISSING else json.dumps(c[1])[:60]}": changed(*c) for c in [
     ("/format", MISSING), ("/format", "site"), ("/version", 2), ("/version", "1"), ("/name", ""), ("/name", MISSING),
@@ -60,7 +61,8 @@ BAD = {f"{c[0]} = {'(missing)' if c[1] is MISSING else json.dumps(c[1])[:60]}": 
     ("/placements/0/y_m", MISSING), ("/loose_tags", [{"uid": None, "x_m": 1, "y_m": 2}]), ("/zones/0/kind", "river"),
     ("/zones/0/outline_m", [[0, 0], [1, 0]]), ("/zones/0/outline_m/0", [0, 0, 0]), ("/zones/0/speed_mps", 0),
     ("/routes/0/vertices_m", [[0, 0]]), ("/routes/0/vertices_m/0/0", True), ("/routes/0/control_spacing_m", 0),
-    ("/routes/0/name", MISSING), ("/vehicles/0/id", 0), ("/vehicles/0/id", 255), ("/vehicles/0/key", "00"),
+    ("/routes/0/name", MISSING), ("/routes/0/leg_speeds_mps", [0, 1, 1, 1, 1]), ("/routes/0/leg_speeds_mps", []),
+    ("/routes/0/leg_speeds_mps", [True, 1, 1, 1, 1]), ("/routes/0/leg_speeds_mps", None), ("/vehicles/0/id", 0), ("/vehicles/0/id", 255), ("/vehicles/0/key", "00"),
     ("/vehicles/0/key", MISSING), ("/vehicles/0/key", "G" * 32), ("/vehicles/0/readers_m", []),
     ("/vehicles/0/readers_m", [[0, 0]] * 9), ("/vehicles/0/start/heading_deg", MISSING),
     ("/backdrop", None), ("/backdrop", {k: v for k, v in BACKDROP.items() if k != "picture"}),

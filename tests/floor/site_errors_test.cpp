@@ -36,6 +36,19 @@ TEST(SiteErrors, nameFilePlaceExpectationAndFinding) {
             "my.tessera.json: /placements/0/quarter_turns: expected a whole number from 0 to 3, found 1.5.");
   EXPECT_EQ(verdict(R"({"format": "tessera-site", "version": 2, "name": "n"})"),
             "my.tessera.json: /version: expected a whole number from 1 to 1, found 2.");
+  const auto legs = [](const std::string& speeds) {
+    return verdict(withRest(R"("routes": [{"name": "r", "vertices_m": [[0, 0], [1, 0], [2, 0]], "leg_speeds_mps": )" +
+                            speeds + "}]"));
+  };
+  EXPECT_EQ(legs("[0.1, null]"), "taken");
+  EXPECT_EQ(
+      legs("[0.1]"),
+      "my.tessera.json: /routes/0/leg_speeds_mps: expected a speed or null for each leg, one fewer than vertices, "
+      "found an array of 1.");
+  EXPECT_THAT(legs("[0.1, null, null]"), HasSubstr("one fewer than vertices"));
+  EXPECT_EQ(legs("[null, 0]"),
+            "my.tessera.json: /routes/0/leg_speeds_mps/1: expected a number of m/s from 0.001 to 20.0, found 0.");
+  EXPECT_THAT(legs("[-0.1, null]"), HasSubstr("/leg_speeds_mps/0: expected a number of m/s"));
   EXPECT_EQ(verdict("[]"), "my.tessera.json: the document: expected an object, found an array of 0.");
 }
 

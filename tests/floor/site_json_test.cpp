@@ -83,6 +83,23 @@ TEST(SiteJson, numbersReadAsPeopleWriteThem) {
   EXPECT_NE(text.find("\"air_rate_bps\": 19200,"), std::string::npos) << text;
 }
 
+TEST(SiteJson, legSpeedsAreWrittenOnlyWhereThereAreSome) {
+  Site site;
+  site.name = "legs";
+  site.routes = {{"r", {{}, {Metres{1}, {}}, {Metres{2}, {}}}, Metres{0.2}}};
+  EXPECT_EQ(writeSite(site).find("leg_speeds"), std::string::npos);
+  const std::string plain = writeSite(site);
+  site.routes[0].legSpeeds = {std::nullopt, MetresPerSecond{0.1}};
+  const std::string text = writeSite(site);
+  EXPECT_NE(text.find("\"leg_speeds_mps\": [null, 0.1]}"), std::string::npos) << text;
+  EXPECT_EQ(parseSite(text, "legs").value(), site);
+  // None at all by many words is none at all.
+  std::string wordy = text;
+  wordy.replace(wordy.find("[null, 0.1]"), 11, "[null, null]");
+  EXPECT_TRUE(parseSite(wordy, "legs").value().routes[0].legSpeeds.empty());
+  EXPECT_EQ(writeSite(parseSite(wordy, "legs").value()), plain);
+}
+
 TEST(SiteJson, leftOutKeysTakeTheirDefaults) {
   const auto site = parseSite(R"({"format": "tessera-site", "version": 1, "name": "n",
     "tile_types": [{"name": "t", "width_m": 0.6, "height_m": 0.6, "pitch_m": 0.15, "columns": 4, "rows": 4, "pattern": "full"}],

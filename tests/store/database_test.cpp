@@ -73,10 +73,18 @@ TEST_F(DatabaseFile, opensAgainWithItsLayoutNumberedOnce) {
 }
 
 TEST_F(DatabaseFile, isBroughtFromAnOlderLayoutToTheNewest) {
+  floor::Site site;
+  site.routes.push_back({"r", {{}, {Metres{1}, {}}, {Metres{2}, {}}}, Metres{0.2}});
+  ASSERT_TRUE(SiteStore{*open()}.save("k", site, 1, false));
   backTo(1);
   const auto database = open();
   ASSERT_NE(database, nullptr);
   EXPECT_EQ(askFor(*database, "SELECT count(*) FROM journal"), "0");
+  SiteStore store{*database};
+  EXPECT_EQ(store.load("k").value(), site) << "a site of then has no leg with a speed";
+  site.routes[0].legSpeeds = {MetresPerSecond{0.1}, std::nullopt};
+  ASSERT_TRUE(store.save("k", site, 2, false));
+  EXPECT_EQ(store.load("k").value(), site);
 }
 
 TEST_F(DatabaseFile, takesNothingOfAStepThatFailsHalfway) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "floor/random_site.h"
+#include "floor/route_legs.h"
 #include "floor/site_json.h"
 #include "floor/site_map.h"
 #include "store/store_fixture.h"
@@ -71,6 +72,7 @@ TEST_F(Sites, keepEveryBitOfADouble) {
   site.northToY = Radians{-0.0};
   site.routes.push_back({"r", {}, Metres{-0.0}});
   for (const double x : awkward) site.routes[0].vertices.push_back({Metres{x}, Metres{-x}});
+  floor::setLegSpeed(site.routes[0], 2, MetresPerSecond{1.0 / 3.0});
   site.zones.push_back({"z", floor::ZoneKind::Slow, {}, MetresPerSecond{-0.0}, Radians{3.0}});
   ASSERT_TRUE(store_.save("k", site, 1, true));
   const floor::Site back = loaded("k");
@@ -83,6 +85,7 @@ TEST_F(Sites, keepEveryBitOfADouble) {
   }
   EXPECT_TRUE(same(back.northToY.value(), -0.0));
   EXPECT_TRUE(same(back.routes[0].controlSpacing.value(), -0.0));
+  EXPECT_TRUE(same(back.routes[0].legSpeeds.at(2)->value(), 1.0 / 3.0));
   EXPECT_TRUE(same(back.zones[0].speed->value(), -0.0));
 }
 
