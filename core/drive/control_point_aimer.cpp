@@ -11,9 +11,7 @@ constexpr Metres kReached{0.05};  // the publication's position error: nearer it
 }  // namespace
 
 ControlPointAimer::ControlPointAimer(const FollowerSetup& setup, std::vector<ControlPoint> points)
-    : route_{setup.route.vertices},
-      points_{std::move(points)},
-      speed_{std::min(setup.plan.requested, setup.ability.maxSpeed)} {}
+    : route_{setup.route.vertices}, points_{std::move(points)}, plan_{setup.ability, setup.plan}, legs_{setup.route} {}
 
 Decision ControlPointAimer::decide(const PredictedState& predicted, Seconds now) {
   static_cast<void>(now);
@@ -27,7 +25,7 @@ Decision ControlPointAimer::decide(const PredictedState& predicted, Seconds now)
   decision.phase = known ? Phase::Finished : Phase::Lost;
   if (known && next_ < points_.size()) {
     decision.target = points_[next_].place;
-    decision.command = {speed_, direction(decision.target - here)};
+    decision.command.heading = direction(decision.target - here);
     decision.phase = next_ == 0 ? Phase::Approaching : Phase::OnLeg;
   }
   decision.progress = next_ == 0 ? Metres{} : points_[next_ - 1].along;
@@ -35,6 +33,15 @@ Decision ControlPointAimer::decide(const PredictedState& predicted, Seconds now)
     const Polyline::Projection near = route_.project(here, points_[next_ - 1].along, points_[next_].along);
     decision.progress = near.along;
     decision.crossTrack = near.across;
+  }
+  if (known && next_ < points_.size()) {
+    // It knows nothing of stops, doubt and what is under way, but a leg's speed binds whoever leads.
+    const SpeedLimit legs =
+        legs_.at(decision.progress, kReached + 2.0 * state.sigma, predicted.delay + plan_.ability().lag, plan_);
+    const SpeedLimit asked{std::min(plan_.options().requested, plan_.ability().maxSpeed), SpeedReason::Requested};
+    const SpeedLimit limit = legs.speed < asked.speed ? legs : asked;
+    decision.command.speed = limit.speed;
+    decision.speedReason = limit.reason;
   }
   decision.remaining = route_.length() - decision.progress;
   decision.leg = route_.legAt(decision.progress);

@@ -1,10 +1,11 @@
 // The publication's controller, kept as the baseline: steers at the next control point from where the vehicle was last
-// known to be, at the speed asked for, and turns back for a point that it has missed.
+// known to be, at the speed asked for or its leg's, and turns back for a point that it has missed.
 #pragma once
 
 #include <vector>
 
 #include "drive/control_points.h"
+#include "drive/leg_limits.h"
 #include "drive/route_follower.h"
 
 namespace tessera::drive {
@@ -23,7 +24,8 @@ public:
 private:
   Polyline route_;
   std::vector<ControlPoint> points_;
-  MetresPerSecond speed_;
+  SpeedPlan plan_;
+  LegLimits legs_;
   std::size_t next_ = 0;
 };
 

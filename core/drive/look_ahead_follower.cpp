@@ -9,13 +9,14 @@ namespace {
 constexpr Metres kOnRoute{0.03};      // a vehicle this near to the start needs no way to it
 constexpr Metres kOffRoute{0.40};     // farther away it was carried, and is led back by a way of its own
 constexpr Metres kWindow{0.50};       // ahead of the progress, in which the nearest point is looked for
+constexpr double kSurely = 2.0;       // standard deviations of the place within which a leg's speed holds
 constexpr Radians kAligned{0.087};    // 5°: turning on the spot ends
 constexpr Radians kMisaligned{1.05};  // 60°: it stops and turns on the spot in the middle of a leg, too
 
 }  // namespace
 
 LookAheadFollower::LookAheadFollower(const FollowerSetup& setup)
-    : route_{setup.route.vertices}, plan_{setup.ability, setup.plan} {}
+    : route_{setup.route.vertices}, plan_{setup.ability, setup.plan}, legs_{setup.route} {}
 
 void LookAheadFollower::layPath(Point from) {
   const Metres reached = laid_ ? std::max(Metres{}, progress_ - approach_) + skipped_ : Metres{};
@@ -110,8 +111,11 @@ Decision LookAheadFollower::decide(const PredictedState& predicted, Seconds now)
     turning.speedReason = SpeedReason::Heading;
     return turning;
   }
-  const SpeedLimit limit =
-      plan_.at({path_.startOf(stop_) - progress_, stop_ == path_.legCount(), predicted.delay, state.sigma, error});
+  // The wheels are late as well: the speed is to be right where a slower leg begins.
+  const SpeedLimit legs =
+      legs_.at(along(), kSurely * state.sigma, predicted.delay + plan_.ability().lag, plan_, skipped_);
+  const SpeedLimit limit = plan_.at(
+      {path_.startOf(stop_) - progress_, stop_ == path_.legCount(), predicted.delay, state.sigma, error, legs});
   decision.command = {limit.speed, heading};
   decision.phase = progress_ < approach_ ? Phase::Approaching : Phase::OnLeg;
   decision.speedReason = limit.reason;

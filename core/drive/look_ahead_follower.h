@@ -2,6 +2,7 @@
 // corners and turns there on the spot. It never drives backwards and never turns back for a point that it has passed.
 #pragma once
 
+#include "drive/leg_limits.h"
 #include "drive/route_follower.h"
 
 namespace tessera::drive {
@@ -23,10 +24,13 @@ private:
   void findStop();
   [[nodiscard]] Point aim(Metres look) const;
   [[nodiscard]] Decision stand(Phase phase, Radians heading, const VehicleState& state) const;
+  /// On the route, of the progress on the path; negative while the route is still to be reached.
+  [[nodiscard]] Metres along() const { return progress_ - approach_ + skipped_; }
   void report(Decision& decision, const VehicleState& state) const;
 
   Polyline route_;
   SpeedPlan plan_;
+  LegLimits legs_;
   Polyline path_;
   Metres approach_;       ///< length of the leg that leads up to the route
   Metres skipped_;        ///< distance on the route at which the approach ends

@@ -16,6 +16,10 @@ Pattern because(SpeedReason reason) {
   switch (reason) {
     case SpeedReason::Requested:
       break;
+    case SpeedReason::Leg:
+      return phrase("Core", "no faster on this leg");
+    case SpeedReason::SlowerLeg:
+      return phrase("Core", "slowing down before a slower leg");
     case SpeedReason::Corner:
       return phrase("Core", "slowing down before the corner");
     case SpeedReason::End:

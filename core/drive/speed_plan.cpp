@@ -19,13 +19,13 @@ double bounded(Seconds delay) { return delay < Seconds{kLongestDelay} ? std::max
 /// Share of the speed left at a doubt from 0 (all) to 1 (none); a doubt that is no number counts as the largest.
 double shareLeft(double doubt) { return doubt < 1.0 ? 1.0 - std::max(doubt, 0.0) : 0.0; }
 
-/// Fastest speed that, held for the delay, can still be braked off within the way.
-double brakingSpeed(double way, double delay, double braking) {
-  const double lost = braking * delay;
-  return std::sqrt(lost * lost + 2.0 * braking * std::max(way, 0.0)) - lost;
-}
-
 }  // namespace
+
+MetresPerSecond brakingSpeed(Metres way, MetresPerSecond goal, Seconds delay, MetresPerSecond2 braking) {
+  const double lost = braking.value() * bounded(delay);
+  const double square = goal.value() * goal.value() + 2.0 * braking.value() * std::max(way.value(), 0.0);
+  return std::max(goal, MetresPerSecond{std::sqrt(lost * lost + square) - lost});
+}
 
 Metres lookAhead(MetresPerSecond speed, Seconds delay, const VehicleAbility& ability, const SpeedPlanOptions& options) {
   const double v = std::abs(speed.value());
@@ -36,6 +36,8 @@ Metres lookAhead(MetresPerSecond speed, Seconds delay, const VehicleAbility& abi
 
 SpeedLimit SpeedPlan::at(const Situation& situation) const {
   SpeedLimit limit{std::min(options_.requested, ability_.maxSpeed), SpeedReason::Requested};
+  // Before the creep: a leg may be slower than that.
+  if (situation.legs.speed < limit.speed) limit = situation.legs;
   const MetresPerSecond creep = std::min(options_.creep, limit.speed);
   const auto cut = [&](double speed, SpeedReason reason) {
     const MetresPerSecond allowed = std::max(MetresPerSecond{speed}, creep);
@@ -47,7 +49,7 @@ SpeedLimit SpeedPlan::at(const Situation& situation) const {
   cut(limit.speed.value() * shareLeft(doubt), SpeedReason::Uncertainty);
   const double off = (std::abs(situation.headingError.value()) - kEasyHeading) / (kStopHeading - kEasyHeading);
   cut(limit.speed.value() * shareLeft(off), SpeedReason::Heading);
-  cut(brakingSpeed(situation.toStop.value(), delay, options_.brakingShare * ability_.acceleration.value()),
+  cut(brakingSpeed(situation.toStop, MetresPerSecond{}, situation.delay, braking()).value(),
       situation.stopIsEnd ? SpeedReason::End : SpeedReason::Corner);
   return limit;
 }

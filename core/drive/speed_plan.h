@@ -1,13 +1,16 @@
-// How fast a vehicle may go where: the speed asked for, cut down before corners and the route's end, by the radio's
-// delay, and by doubt about its place (regulated pure pursuit, Macenski et al., arXiv 2305.20026, in the same spirit).
+// How fast a vehicle may go where: the speed asked for or its leg's, cut down before slower legs, corners and the
+// route's end, by the radio's delay, and by doubt about its place (regulated pure pursuit, Macenski et al., arXiv
+// 2305.20026, in the same spirit).
 #pragma once
+
+#include <limits>
 
 #include "drive/command.h"
 
 namespace tessera::drive {
 
 /// Why the speed is what it is; the strictest reason.
-enum class SpeedReason { Requested, Corner, End, Delay, Uncertainty, Heading };
+enum class SpeedReason { Requested, Leg, SlowerLeg, Corner, End, Delay, Uncertainty, Heading };
 
 struct SpeedLimit {
   MetresPerSecond speed;
@@ -30,6 +33,9 @@ struct SpeedPlanOptions {
 [[nodiscard]] Metres lookAhead(MetresPerSecond speed, Seconds delay, const VehicleAbility& ability,
                                const SpeedPlanOptions& options);
 
+/// Fastest speed that, held for the delay, can still be braked down to `goal` within the way.
+[[nodiscard]] MetresPerSecond brakingSpeed(Metres way, MetresPerSecond goal, Seconds delay, MetresPerSecond2 braking);
+
 class SpeedPlan {
 public:
   SpeedPlan(const VehicleAbility& ability, const SpeedPlanOptions& options) : ability_{ability}, options_{options} {}
@@ -40,10 +46,14 @@ public:
     Seconds delay;         ///< what the command holds on for at least: period and jitter of the way there
     Metres sigma;          ///< doubt about the place
     Radians headingError;  ///< between the nose and the way to go
+    /// What the legs allow, as LegLimits has it.
+    SpeedLimit legs{MetresPerSecond{std::numeric_limits<double>::infinity()}, SpeedReason::Leg};
   };
   [[nodiscard]] SpeedLimit at(const Situation& situation) const;
   /// Whether a vehicle stops where the line turns by this much.
   [[nodiscard]] bool isSharp(Radians turn) const { return abs(turn) >= options_.sharpCorner; }
+  /// What planned braking takes.
+  [[nodiscard]] MetresPerSecond2 braking() const { return options_.brakingShare * ability_.acceleration; }
   [[nodiscard]] const SpeedPlanOptions& options() const { return options_; }
   [[nodiscard]] const VehicleAbility& ability() const { return ability_; }
 

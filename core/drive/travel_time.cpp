@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/polyline.h"
+#include "drive/leg_limits.h"
 
 namespace tessera::drive {
 namespace {
@@ -30,6 +31,7 @@ Seconds travelTime(const floor::Route& route, const VehicleAbility& ability, con
                    Seconds delay) {
   const Polyline line{route.vertices};
   const SpeedPlan plan{ability, options};
+  const LegLimits limits{route};
   double seconds = 0.0;
   double speed = 0.0;
   const double step = std::max(kFinest, line.length().value() / kPieces);
@@ -40,7 +42,8 @@ Seconds travelTime(const floor::Route& route, const VehicleAbility& ability, con
     double left = (line.startOf(stop) - line.startOf(leg)).value();
     while (left > options.stopTolerance.value()) {
       const double way = std::min(step, left);
-      const double allowed = plan.at({Metres{left}, end, delay, Metres{}, Radians{}}).speed.value();
+      const SpeedLimit legs = limits.at(line.startOf(stop) - Metres{left}, {}, delay + ability.lag, plan);
+      const double allowed = plan.at({Metres{left}, end, delay, Metres{}, Radians{}, legs}).speed.value();
       const double next = std::min(allowed, std::sqrt(speed * speed + 2.0 * ability.acceleration.value() * way));
       seconds += 2.0 * way / (speed + next);
       speed = next;

@@ -46,7 +46,7 @@ private:
 /// Follows the true place along the route in a window, so that legs near to each other are not confused.
 class Judge {
 public:
-  explicit Judge(const Polyline& route) : route_{route} {}
+  explicit Judge(const Polyline& route) : route_{route} { result.topSpeeds.resize(route.legCount()); }
   void see(Point here, double speed) {
     const auto near = route_.project(here, Metres{best_ - 0.15}, Metres{best_ + 0.15});
     const double across = std::abs(near.across.value());
@@ -57,6 +57,8 @@ public:
     result.crossTrackMax = std::max(result.crossTrackMax, across);
     result.largestLoss = std::max(result.largestLoss, best_ - near.along.value());
     best_ = std::max(best_, near.along.value());
+    double& top = result.topSpeeds[route_.legAt(near.along)];
+    top = std::max(top, speed);
     const bool away = std::none_of(route_.vertices().begin(), route_.vertices().end(),
                                    [&](Point v) { return distance(v, here) < Metres{0.25}; });
     if (!away) return;

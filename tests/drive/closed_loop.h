@@ -36,6 +36,7 @@ struct LoopResult {
   double endError = 0.0;             ///< m from the route's end when finished
   double cruise = 0.0;               ///< mean true speed farther than 0.25 m from every vertex
   double lowestCommand = 0.0;        ///< m/s; negative would be backwards
+  std::vector<double> topSpeeds;     ///< highest true speed on each leg, once it has left the start
   std::vector<drive::Phase> phases;  ///< in the order met
 };
 

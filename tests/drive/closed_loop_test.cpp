@@ -49,6 +49,39 @@ TEST(ClosedLoop, followsThePapersRouteAtEverySpeed) {
   }
 }
 
+TEST(ClosedLoop, drivesEachLegNoFasterThanItMay) {
+  // Straight on, so that nothing but the legs' speeds slows it down.
+  floor::Route route = routeOf({{0, 0}, {1.5, 0}, {2.5, 0}, {4, 0}});
+  route.legSpeeds = {std::nullopt, MetresPerSecond{0.08}, std::nullopt};
+  for (const double delay : {0.1, 0.25, 0.75}) {
+    for (const double noise : {0.0, 0.02}) {
+      LoopOptions options = at(0.30, delay);
+      options.poseNoise = noise;
+      const LoopResult r = report("slow in the middle", "look-ahead", route, options);
+      std::printf("    top speeds %.3f %.3f %.3f m/s\n", r.topSpeeds[0], r.topSpeeds[1], r.topSpeeds[2]);
+      ASSERT_TRUE(r.finished);
+      EXPECT_LE(r.topSpeeds[1], 0.085 + noise) << delay;
+      EXPECT_GE(r.topSpeeds[1], 0.075) << "and no slower than it has to be";
+      const double fast = std::min(0.29, 0.8 * 0.25 * 0.60 / (options.period + 0.05));
+      EXPECT_GT(r.topSpeeds[0], fast) << delay;
+      EXPECT_GT(r.topSpeeds[2], fast) << "it speeds up again behind it";
+    }
+  }
+  for (const std::string_view follower : drive::followerNames()) {
+    const LoopResult r = report("slow in the middle", follower, route, at(0.20, 0.25));
+    EXPECT_TRUE(r.finished);
+    EXPECT_LE(r.topSpeeds[1], 0.10) << "whoever leads it";
+  }
+}
+
+TEST(ClosedLoop, drivesALegThatIsSlowerThanItsCreep) {
+  floor::Route route = routeOf({{0, 0}, {0.5, 0}, {0.6, 0}, {1, 0}});
+  route.legSpeeds = {std::nullopt, MetresPerSecond{0.01}, std::nullopt};
+  const LoopResult r = report("very slow in the middle", "look-ahead", route, at(0.12, 0.25));
+  EXPECT_TRUE(r.finished);
+  EXPECT_LE(r.topSpeeds[1], 0.012);
+}
+
 TEST(ClosedLoop, bearsLongDelays) {
   for (const double delay : {0.1, 0.5, 0.75, 1.5}) {
     const LoopResult r = report("paper's route", "look-ahead", paperRoute(), at(0.20, delay));

@@ -7,6 +7,7 @@
 
 #include "base/polyline.h"
 #include "drive/closed_loop.h"
+#include "floor/route_legs.h"
 
 namespace tessera::test {
 namespace {
@@ -37,6 +38,21 @@ TEST(TravelTime, isWhatTheClosedLoopTakes) {
       EXPECT_NEAR(expected, driven.duration, 0.08 * driven.duration + 0.5);
     }
   }
+}
+
+TEST(TravelTime, reckonsWithTheSpeedsOfLegs) {
+  floor::Route route = zigzag(6, 0.3);
+  const double free = foretold(route, 0.3, 0.225);
+  floor::setLegSpeed(route, 1, MetresPerSecond{0.05});
+  floor::setLegSpeed(route, 4, MetresPerSecond{0.10});
+  LoopOptions options;
+  options.speed = 0.3;
+  const LoopResult driven = closeLoop("look-ahead", route, options);
+  ASSERT_TRUE(driven.finished);
+  const double expected = foretold(route, 0.3, options.up + options.period);
+  std::printf("two slow legs: %.1f s foretold, %.1f s driven, %.1f s without\n", expected, driven.duration, free);
+  EXPECT_NEAR(expected, driven.duration, 0.05 * driven.duration + 0.5);
+  EXPECT_GT(expected, free + 0.8 / 0.05 + 0.8 / 0.10 - 2 * 0.8 / 0.3);
 }
 
 TEST(TravelTime, isNoShorterThanAtFullSpeedAllTheWay) {
