@@ -51,7 +51,7 @@ private:
         ++i;
         continue;
       }
-      Chain chain{std::string{first->route}, {edges_[i].from, edges_[i].to}};
+      Chain chain{std::string{first->route}, {edges_[i].from, edges_[i].to}, {i}};
       used_[i] = true;
       for (++i; i < edges_.size(); ++i) {
         const auto next = numbered(edges_[i].id);
@@ -59,6 +59,7 @@ private:
             edges_[i].from != chain.nodes.back())
           break;
         chain.nodes.push_back(edges_[i].to);
+        chain.edges.push_back(i);
         used_[i] = true;
       }
       add(std::move(chain));
@@ -95,10 +96,11 @@ private:
 
   void follow(std::size_t first) {
     const LifEdge& edge = edges_[first];
-    Chain chain{edge.name.empty() ? nodeIds_[edge.from] + " - " + nodeIds_[edge.to] : edge.name, {edge.from}};
+    Chain chain{edge.name.empty() ? nodeIds_[edge.from] + " - " + nodeIds_[edge.to] : edge.name, {edge.from}, {}};
     for (std::optional<std::size_t> at = first; at && !used_[*at]; at = successor(*at)) {
       used_[*at] = true;
       chain.nodes.push_back(edges_[*at].to);
+      chain.edges.push_back(*at);
     }
     add(std::move(chain));
   }

@@ -15,6 +15,7 @@ struct LifEdge {
 struct Chain {
   std::string name;
   std::vector<std::size_t> nodes;
+  std::vector<std::size_t> edges;  ///< between them, as indices
 };
 
 /// Edges ROUTE/1, ROUTE/2, ... that follow one another become ROUTE; of the others those that lead on without a choice

@@ -5,7 +5,9 @@
 
 #include "exchange/lif.h"
 #include "exchange/lif_chains.h"
+#include "exchange/lif_speeds.h"
 #include "floor/json_node.h"
+#include "floor/route_legs.h"
 #include "floor/site_names.h"
 
 namespace tessera::exchange {
@@ -45,7 +47,6 @@ public:
   void conclude() {
     tell(actions_, phrase("Core", "Nodes and edges whose actions were left out: %1."));
     tell(curves_, phrase("Core", "Curved edges that became straight legs: %1."));
-    tell(speeds_, phrase("Core", "Edges whose highest speed was left out: %1."));
     tell(restrictions_, phrase("Core", "Edges whose load and height restrictions were left out: %1."));
     tell(levels_, phrase("Core", "Edges to another layout, left out: %1."));
     tell(stations.size(),
@@ -55,6 +56,7 @@ public:
   std::vector<std::string> nodeIds;
   std::vector<Point> places;
   std::vector<LifEdge> edges;
+  std::vector<TypeSpeeds> speeds;  ///< of each edge
   std::vector<Station> stations;
   std::vector<Sentence> notes;
 
@@ -98,6 +100,17 @@ private:
     return false;
   }
 
+  static TypeSpeeds speedsOf(const JsonNode& properties) {
+    TypeSpeeds all;
+    const std::size_t count = properties.array(0, kMostItems);
+    for (std::size_t i = 0; i < count && !properties.failed(); ++i) {
+      const JsonNode p = properties[i];
+      if (!p["maxSpeed"].present() || p["maxSpeed"].isNull()) continue;
+      all.emplace_back(optionalText(p["vehicleTypeId"]), MetresPerSecond{p["maxSpeed"].number(0.0, 1e6, "m/s")});
+    }
+    return all;
+  }
+
   std::optional<std::size_t> nodeNamed(const JsonNode& n) {
     const std::string id = n.text(1, 200);
     if (n.failed()) return std::nullopt;
@@ -119,13 +132,13 @@ private:
       const JsonNode properties = e["vehicleTypeEdgeProperties"];
       actions_ += anyOf(properties, {"actions"}) ? 1 : 0;
       curves_ += anyOf(properties, {"trajectory"}) ? 1 : 0;
-      speeds_ += anyOf(properties, {"maxSpeed"}) ? 1 : 0;
       restrictions_ += anyOf(properties, {"loadRestriction", "minHeight", "maxHeight"}) ? 1 : 0;
       if (layoutOf_[*from] != number || layoutOf_[*to] != number) {
         ++levels_;
         continue;
       }
       edges.push_back({e["edgeId"].text(1, 250), optionalText(e["edgeName"]), *from, *to});
+      speeds.push_back(speedsOf(properties));
     }
     const std::size_t stationCount = layout["stations"].array(0, kMostItems);
     for (std::size_t i = 0; i < stationCount && !layout.failed(); ++i) station(layout["stations"][i]);
@@ -153,24 +166,37 @@ private:
   std::size_t layoutsRead_ = 0;
   std::size_t actions_ = 0;
   std::size_t curves_ = 0;
-  std::size_t speeds_ = 0;
   std::size_t restrictions_ = 0;
   std::size_t levels_ = 0;
 };
 
-void addRoutes(const LifReader& lif, Site& site) {
+// Gives the number of legs that took a speed over.
+std::size_t addRoutes(const LifReader& lif, Site& site) {
+  const LegSpeedFinder finder{site, lif.speeds};
+  std::size_t taken = 0;
   for (Chain& chain : chainsOf(lif.edges, lif.nodeIds)) {
     floor::Route route;
     route.name = std::move(chain.name);
     for (const std::size_t node : chain.nodes) route.vertices.push_back(lif.places[node]);
     const auto same = std::find_if(site.routes.begin(), site.routes.end(),
                                    [&](const floor::Route& r) { return r.name == route.name; });
+    const bool known = same != site.routes.end() && same->vertices == route.vertices;
+    for (std::size_t leg = 0; leg < chain.edges.size(); ++leg) {
+      const auto before = known ? floor::legSpeed(*same, leg) : std::nullopt;
+      const auto speed =
+          finder.find(lif.speeds[chain.edges[leg]], route.vertices[leg], route.vertices[leg + 1], before);
+      route.legSpeeds.push_back(speed);
+      taken += speed && speed != before ? 1 : 0;
+    }
+    tidyLegSpeeds(route);
     if (same == site.routes.end()) {
       site.routes.push_back(std::move(route));
     } else {
       same->vertices = std::move(route.vertices);
+      same->legSpeeds = std::move(route.legSpeeds);
     }
   }
+  return taken;
 }
 
 void addZones(const LifReader& lif, Site& site) {
@@ -195,7 +221,8 @@ Result<Preview> importLif(const Site& onto, std::string_view text, const std::st
     return tl::unexpected{std::move(read.error())};
   lif.conclude();
   Preview preview{onto, {}, std::move(lif.notes)};
-  addRoutes(lif, preview.site);
+  if (const std::size_t taken = addRoutes(lif, preview.site); taken > 0)
+    preview.notes.push_back(phrase("Core", "Highest speeds of edges that became those of legs: %1.").with(taken));
   addZones(lif, preview.site);
   const auto tooLong = [](const floor::Route& r) { return r.vertices.size() > kMostOfSite; };
   if (preview.site.routes.size() > kMostOfSite || preview.site.zones.size() > kMostOfSite ||

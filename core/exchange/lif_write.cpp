@@ -5,6 +5,8 @@
 #include <set>
 
 #include "exchange/lif.h"
+#include "exchange/lif_speeds.h"
+#include "floor/route_legs.h"
 #include "floor/site_names.h"
 #include "region/region.h"
 
@@ -12,7 +14,6 @@ namespace tessera::exchange {
 namespace {
 
 using floor::Site;
-using floor::VehicleSetup;
 using floor::Zone;
 using floor::ZoneKind;
 using nlohmann::ordered_json;
@@ -21,31 +22,9 @@ bool isStation(const Zone& zone) {
   return zone.kind == ZoneKind::Parking || zone.kind == ZoneKind::Charging || zone.kind == ZoneKind::Storage;
 }
 
-// One for each set of abilities, called after the first vehicle that has them.
-struct VehicleType {
-  std::string id;
-  const VehicleSetup* vehicle;
-};
-std::vector<VehicleType> vehicleTypes(const Site& site) {
-  std::vector<VehicleType> types;
-  for (const VehicleSetup& v : site.vehicles) {
-    const auto alike = [&v](const VehicleType& t) {
-      return t.vehicle->footprint == v.footprint && t.vehicle->maxSpeed == v.maxSpeed &&
-             t.vehicle->maxTurnRate == v.maxTurnRate;
-    };
-    if (std::none_of(types.begin(), types.end(), alike)) types.push_back({"Tessera." + v.name, &v});
-  }
-  static const VehicleSetup usual;
-  if (types.empty()) types.push_back({"Tessera.AGV", &usual});
-  return types;
-}
-
 class LifWriter {
 public:
-  explicit LifWriter(const Site& site) : site_{site}, types_{vehicleTypes(site)} {
-    for (const Zone& zone : site.zones)
-      if (zone.kind == ZoneKind::Slow && zone.speed) slow_.emplace_back(region::Region::of(zone.outline), *zone.speed);
-  }
+  explicit LifWriter(const Site& site) : site_{site}, types_{vehicleTypes(site)}, speeds_{site} {}
 
   ordered_json layout() {
     ordered_json edges = ordered_json::array();
@@ -56,7 +35,7 @@ public:
         edge["edgeName"] = route.name;
         edge["startNodeId"] = node(route.vertices[i]);
         edge["endNodeId"] = node(route.vertices[i + 1]);
-        edge["vehicleTypeEdgeProperties"] = edgeProperties(route.vertices[i], route.vertices[i + 1]);
+        edge["vehicleTypeEdgeProperties"] = edgeProperties(route, i);
         edges.push_back(std::move(edge));
       }
     }
@@ -88,13 +67,10 @@ private:
     return known->second;
   }
 
-  // As fast as the vehicle and the slowest zone on the way allow; turns are made at the nodes.
-  [[nodiscard]] ordered_json edgeProperties(Point a, Point b) const {
+  // Turns are made at the nodes.
+  [[nodiscard]] ordered_json edgeProperties(const floor::Route& route, std::size_t leg) const {
     ordered_json all = ordered_json::array();
     for (const VehicleType& type : types_) {
-      MetresPerSecond speed = type.vehicle->maxSpeed;
-      for (const auto& [area, limit] : slow_)
-        if (limit < speed && !area.within(a, b).empty()) speed = limit;
       ordered_json p;
       p["vehicleTypeId"] = type.id;
       p["vehicleOrientation"] = 0.0;
@@ -102,7 +78,9 @@ private:
       p["rotationAllowed"] = false;
       p["rotationAtStartNodeAllowed"] = "BOTH";
       p["rotationAtEndNodeAllowed"] = "BOTH";
-      p["maxSpeed"] = speed.value();
+      p["maxSpeed"] =
+          speeds_.of(type.vehicle->maxSpeed, route.vertices[leg], route.vertices[leg + 1], floor::legSpeed(route, leg))
+              .value();
       p["maxRotationSpeed"] = type.vehicle->maxTurnRate.value();
       all.push_back(std::move(p));
     }
@@ -130,7 +108,7 @@ private:
 
   const Site& site_;
   std::vector<VehicleType> types_;
-  std::vector<std::pair<region::Region, MetresPerSecond>> slow_;
+  EdgeSpeeds speeds_;
   std::map<std::pair<Metres, Metres>, std::string> ids_;
   std::vector<Point> places_;
   ordered_json nodes_ = ordered_json::array();

@@ -4,6 +4,7 @@
 #include <unordered_set>
 
 #include "base/polyline.h"
+#include "floor/route_legs.h"
 #include "sitecheck/body.h"
 #include "sitecheck/checks.h"
 #include "sitecheck/outline.h"
@@ -64,7 +65,11 @@ Parts outside(const Polyline& line, const Region& area) {
 class Way {
 public:
   Way(const Context& context, const Route& route)
-      : context_{context}, route_{route}, line_{withoutRepeats(route.vertices, false)} {}
+      : context_{context}, route_{route}, line_{withoutRepeats(route.vertices, false)} {
+    Route tidied = route;
+    keepVertices(tidied, line_.vertices());
+    for (std::size_t leg = 0; leg < line_.legCount(); ++leg) speeds_.push_back(floor::legSpeed(tidied, leg));
+  }
 
   Faults check() {
     shape();
@@ -72,6 +77,7 @@ public:
     noGo();
     running();
     oneWays();
+    slowZones();
     for (const VehicleSetup* v : bodiesOf(context_.site)) {
       tooTight(*v);
       if (onFloor_) tooClose(*v);
@@ -143,6 +149,40 @@ private:
     }
   }
 
+  void slowZones() {
+    for (std::size_t i = 0; i < context_.site.zones.size() && !route_.legSpeeds.empty(); ++i) {
+      const floor::Zone& zone = context_.site.zones[i];
+      if (zone.kind != ZoneKind::Slow || !zone.speed) continue;
+      for (std::size_t leg = 0; leg < floor::legCount(route_); ++leg) {
+        const auto speed = floor::legSpeed(route_, leg);
+        if (!speed || *speed <= *zone.speed) continue;
+        const Polyline line{{route_.vertices[leg], route_.vertices[leg + 1]}};
+        if (const Parts parts = inside(line, context_.zones.areas[i]); parts.length > kSliver)
+          tooFast(zone, leg, *speed, parts);
+      }
+    }
+  }
+
+  void tooFast(const floor::Zone& zone, std::size_t leg, MetresPerSecond speed, const Parts& parts) {
+    Fault& fault =
+        tell(FaultKind::RouteFasterThanZone, Severity::Warning,
+             phrase("Core",
+                    "Leg %1 of route \"%2\" may be driven at %3 m/s, but leads through the slow zone \"%4\" of %5 m/s.")
+                 .with(leg + 1, route_.name, figure(speed.value(), 2), zone.name, figure(zone.speed->value(), 2)),
+             parts.place);
+    fault.objects.push_back({ObjectKind::Zone, zone.name});
+    if (*zone.speed >= floor::kLeastLegSpeed)
+      fault.fix = Fix{phrase("Core", "Slow leg %1 of route \"%2\" down to %3 m/s")
+                          .with(leg + 1, route_.name, figure(zone.speed->value(), 2)),
+                      SetLegSpeed{route_.name, leg, speed, *zone.speed}};
+  }
+
+  // As fast as the vehicle may be where a leg ends and the next begins.
+  [[nodiscard]] MetresPerSecond speedAt(std::size_t vertex, const VehicleSetup& v) const {
+    const auto on = [&](std::size_t leg) { return std::min(v.maxSpeed, speeds_[leg].value_or(v.maxSpeed)); };
+    return std::max(on(vertex - 1), on(vertex));
+  }
+
   // Bends that are not sharp are driven without stopping: how fast they turn the vehicle, at its full speed.
   void tooTight(const VehicleSetup& v) {
     double worst = v.maxTurnRate.value() * 1.001;
@@ -151,7 +191,7 @@ private:
       const double turn = std::abs(turnBetween(line_.headingOf(i - 1), line_.headingOf(i)).value());
       if (turn >= context_.options.sharpCorner.value()) continue;
       const Metres over = 0.5 * (line_.startOf(i + 1) - line_.startOf(i - 1));
-      const double rate = v.maxSpeed.value() * turn / over.value();
+      const double rate = speedAt(i, v).value() * turn / over.value();
       if (rate > worst) {
         worst = rate;
         at = i;
@@ -203,6 +243,7 @@ private:
   const Context& context_;
   const Route& route_;
   Polyline line_;
+  std::vector<std::optional<MetresPerSecond>> speeds_;  ///< of the line's legs
   Faults faults_;
   bool onFloor_ = true;  ///< the line itself is where vehicles may be
 };

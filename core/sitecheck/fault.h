@@ -49,6 +49,7 @@ enum class FaultKind : std::uint8_t {
   RouteAgainstOneWay,
   RouteTooClose,
   RouteTooTight,
+  RouteFasterThanZone,
   RouteWithoutTags,
   VehicleAddressTwice,
   VehicleAddressInvalid,

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "floor/route_legs.h"
+
 namespace tessera::sitecheck {
 namespace {
 
@@ -49,7 +51,14 @@ struct Applier {
   bool operator()(const ReplaceVertices& e) const {
     floor::Route* route =
         lastWhere(site.routes, [&](const floor::Route& r) { return r.name == e.route && r.vertices == e.before; });
-    if (route != nullptr) route->vertices = e.after;
+    if (route != nullptr) keepVertices(*route, e.after);
+    return route != nullptr;
+  }
+  bool operator()(const SetLegSpeed& e) const {
+    floor::Route* route = lastWhere(site.routes, [&](const floor::Route& r) {
+      return r.name == e.route && floor::legSpeed(r, e.leg) == e.before && e.leg < floor::legCount(r);
+    });
+    if (route != nullptr) setLegSpeed(*route, e.leg, e.after);
     return route != nullptr;
   }
   bool operator()(const GiveAddress& e) const {

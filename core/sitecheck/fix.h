@@ -45,8 +45,15 @@ struct ReplaceOutline {
 struct ReplaceVertices {
   std::string route;
   std::vector<Point> before;
-  std::vector<Point> after;
+  std::vector<Point> after;  ///< some of those, in their order
   bool operator==(const ReplaceVertices&) const = default;
+};
+struct SetLegSpeed {
+  std::string route;
+  std::size_t leg = 0;  ///< from 0
+  std::optional<MetresPerSecond> before;
+  std::optional<MetresPerSecond> after;
+  bool operator==(const SetLegSpeed&) const = default;
 };
 struct GiveAddress {
   floor::VehicleSetup vehicle;  ///< as it is
@@ -55,7 +62,7 @@ struct GiveAddress {
 };
 
 using Edit = std::variant<MoveTile, TakeTileUp, ForgetTile, ClearUid, ForgetLooseTag, ReplaceOutline, ReplaceVertices,
-                          GiveAddress>;
+                          SetLegSpeed, GiveAddress>;
 
 struct Fix {
   Sentence sentence;  ///< an order: "Move tile "T-1" to (0.6, 1.2) m"

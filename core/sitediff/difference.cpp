@@ -3,6 +3,7 @@
 #include <array>
 
 #include "base/polyline.h"
+#include "floor/route_legs.h"
 #include "floor/site_names.h"
 #include "sitediff/matching.h"
 
@@ -65,6 +66,29 @@ void zones(const Zone& a, const Zone& b, Teller& tell) {
   if (a.direction != b.direction) tell.changed(b.name, who, phrase("Core", "another direction"), place);
 }
 
+std::string speedText(MetresPerSecond speed) { return decimals(speed.value(), 3); }
+
+// What became of the speed of one leg; leg counted from 1 as people do.
+Sentence legSpeedChange(std::size_t leg, std::optional<MetresPerSecond> a, std::optional<MetresPerSecond> b) {
+  if (!a) return phrase("Core", "at most %2 m/s on leg %1").with(leg, speedText(*b));
+  if (!b) return phrase("Core", "no highest speed on leg %1 any more").with(leg);
+  return phrase("Core", "at most %2 m/s instead of %3 m/s on leg %1").with(leg, speedText(*b), speedText(*a));
+}
+
+// Legs are told one by one where they are the same legs and few have changed.
+void legSpeeds(const Route& a, const Route& b, const Sentence& who, Teller& tell) {
+  if (a.legSpeeds == b.legSpeeds) return;
+  constexpr std::size_t kFew = 5;
+  std::vector<std::size_t> changed;
+  for (std::size_t leg = 0; leg < std::max(floor::legCount(a), floor::legCount(b)); ++leg)
+    if (floor::legSpeed(a, leg) != floor::legSpeed(b, leg)) changed.push_back(leg);
+  if (a.vertices.size() != b.vertices.size() || changed.size() > kFew)
+    return tell.changed(b.name, who, phrase("Core", "other highest speeds on its legs"), around(b.vertices));
+  for (const std::size_t leg : changed)
+    tell.changed(b.name, who, legSpeedChange(leg + 1, floor::legSpeed(a, leg), floor::legSpeed(b, leg)),
+                 boxAround(std::vector{b.vertices[leg], b.vertices[leg + 1]}));
+}
+
 void routes(const Route& a, const Route& b, Teller& tell) {
   const Sentence who = phrase("Core", "Route \"%1\"").with(b.name);
   if (a.vertices != b.vertices)
@@ -75,6 +99,7 @@ void routes(const Route& a, const Route& b, Teller& tell) {
                  around(b.vertices));
   if (a.controlSpacing != b.controlSpacing)
     tell.changed(b.name, who, phrase("Core", "another distance of control points"), around(b.vertices));
+  legSpeeds(a, b, who, tell);
 }
 
 void vehicles(const VehicleSetup& a, const VehicleSetup& b, Teller& tell) {

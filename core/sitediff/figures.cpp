@@ -6,6 +6,7 @@
 
 #include "base/polyline.h"
 #include "floor/laid_tile.h"
+#include "floor/route_legs.h"
 #include "region/region.h"
 
 namespace tessera::sitediff {
@@ -33,8 +34,8 @@ double timeBetweenStops(double way, double speed, double acceleration) {
   return peak / up + peak / down;
 }
 
-// Seconds lost on a leg in slow zones; of several the lowest speed holds.
-double lostInSlowZones(Point a, Point b, double speed, const std::vector<SlowArea>& slow) {
+// Seconds lost on a leg by its own highest speed and in slow zones; the lowest speed holds.
+double lostOnLeg(Point a, Point b, double speed, double legSpeed, const std::vector<SlowArea>& slow) {
   std::vector<double> cuts{0.0, 1.0};
   for (const SlowArea& s : slow)
     for (const region::Stretch& part : s.area.within(a, b)) cuts.insert(cuts.end(), {part.from, part.to});
@@ -43,7 +44,7 @@ double lostInSlowZones(Point a, Point b, double speed, const std::vector<SlowAre
   const double way = distance(a, b).value();
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     const Point middle = a + 0.5 * (cuts[i] + cuts[i + 1]) * (b - a);
-    double limit = speed;
+    double limit = std::min(speed, legSpeed);
     for (const SlowArea& s : slow)
       if (s.speed < limit && s.area.contains(middle)) limit = s.speed;
     lost += (cuts[i + 1] - cuts[i]) * way * (1 / limit - 1 / speed);
@@ -54,11 +55,13 @@ double lostInSlowZones(Point a, Point b, double speed, const std::vector<SlowAre
 RouteFigures routeFigures(const floor::Route& route, const VehicleSetup& v, double speed,
                           const std::vector<SlowArea>& slow) {
   const Polyline line{route.vertices};
+  const auto legSpeeds = floor::legSpeedsOfLine(route);
   RouteFigures figures{route.name, line.length(), 0, {}};
   double seconds = 0.0;
   double stoppedAt = 0.0;
   for (std::size_t leg = 0; leg < line.legCount(); ++leg) {
-    seconds += lostInSlowZones(line.vertices()[leg], line.vertices()[leg + 1], speed, slow);
+    const double legSpeed = legSpeeds[leg].value_or(MetresPerSecond{speed}).value();
+    seconds += lostOnLeg(line.vertices()[leg], line.vertices()[leg + 1], speed, legSpeed, slow);
     const bool last = leg + 1 == line.legCount();
     const double turn = last ? 0.0 : std::abs(turnBetween(line.headingOf(leg), line.headingOf(leg + 1)).value());
     if (!last && turn < kSharpCorner) continue;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "floor/route_legs.h"
 #include "floor/site_json.h"
 #include "sitecheck/sites.h"
 
@@ -61,6 +62,36 @@ TEST(Lif, anImportOntoItselfChangesNothing) {
   }
 }
 
+TEST(Lif, legSpeedsComeBackWhateverElseIsAsSlow) {
+  Site site = goodFloor();
+  site.vehicles.push_back(site.vehicles[0]);
+  site.vehicles.back().id = VehicleId{2};
+  site.vehicles.back().name = "slow";
+  site.vehicles.back().maxSpeed = MetresPerSecond{0.3};
+  site.zones.push_back(sitecheck::zone("slow", ZoneKind::Slow, sitecheck::rectangle(2.4, 1, 2.8, 1.5)));
+  site.zones.back().speed = MetresPerSecond{0.1};
+  floor::Route& route = site.routes[0];
+  for (const double speed : {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 5.0}) {
+    for (std::size_t leg = 0; leg < floor::legCount(route); ++leg) {
+      route.legSpeeds.clear();
+      setLegSpeed(route, leg, MetresPerSecond{speed});
+      const auto preview = importLif(site, writeLif(site, kTime).text, "f.lif");
+      ASSERT_TRUE(preview) << preview.error().sentence;
+      EXPECT_EQ(preview->site, site) << "leg " << leg << " at " << speed;
+      EXPECT_THAT(allOf(preview->notes), testing::Not(HasSubstr("became those of legs")));
+    }
+  }
+  // Onto the site before the leg had one, and onto a site without vehicles and zones.
+  route.legSpeeds.clear();
+  const Site before = site;
+  setLegSpeed(route, 0, MetresPerSecond{0.2});
+  const auto preview = importLif(before, writeLif(site, kTime).text, "f.lif").value();
+  EXPECT_EQ(preview.site, site);
+  EXPECT_THAT(allOf(preview.notes), HasSubstr("became those of legs: 1"));
+  EXPECT_EQ(preview.changes.size(), 1U);
+  EXPECT_EQ(importLif({}, writeLif(site, kTime).text, "f.lif")->site.routes[0].legSpeeds[0], MetresPerSecond{0.2});
+}
+
 TEST(Lif, routesComeBackOntoAnEmptySite) {
   Site site = goodFloor();
   site.routes.push_back({"two", {at(0.4, 0.4), at(2, 1), at(0.4, 2)}, Metres{0.2}});
@@ -101,7 +132,11 @@ TEST(Lif, joinsForeignEdgesWhereOnlyOneLeadsOn) {
   ASSERT_EQ(preview->site.zones.size(), 1U);
   EXPECT_EQ(preview->site.zones[0].name, "S");
   EXPECT_EQ(preview->site.zones[0].outline[0], at(1.7, 0.7));
+  const auto back = std::find_if(preview->site.routes.begin(), preview->site.routes.end(),
+                                 [](const floor::Route& r) { return r.name == "c - b"; });
+  EXPECT_EQ(back->legSpeeds, (std::vector<std::optional<MetresPerSecond>>{MetresPerSecond{1}, std::nullopt}));
   const std::string notes = allOf(preview->notes);
+  EXPECT_THAT(notes, HasSubstr("became those of legs: 1"));
   EXPECT_THAT(notes, HasSubstr("straight legs: 1"));
   EXPECT_THAT(notes, HasSubstr("actions were left out: 1"));
   EXPECT_TRUE(floor::SiteMap::build(preview->site));
@@ -131,6 +166,10 @@ TEST(Lif, saysWhereWhatIsWrong) {
   lif = foreign();
   lif["layouts"][0]["nodes"][2]["nodeId"] = "a";
   EXPECT_THAT(error(lif), HasSubstr("/layouts/0/nodes/2/nodeId"));
+  lif = foreign();
+  lif["layouts"][0]["edges"][2]["vehicleTypeEdgeProperties"][0]["maxSpeed"] = -1;
+  EXPECT_THAT(error(lif),
+              HasSubstr("/layouts/0/edges/2/vehicleTypeEdgeProperties/0/maxSpeed: expected a number of m/s"));
   lif = foreign();
   lif["metaInformation"]["lifVersion"] = "2.0";
   EXPECT_THAT(error(lif), HasSubstr("a version 1.x"));

@@ -24,6 +24,11 @@ TEST(RouteFaults, noWayAtAllAndPointsTwiceInARow) {
   ASSERT_EQ(faults.size(), 1U);
   ASSERT_TRUE(mend(faults[0].fix->edit, site));
   EXPECT_EQ(site.routes[0].vertices.size(), 2U);
+  site.routes[0] = {"r", {at(1, 1), at(1, 1), at(2, 1), at(2, 1), at(2, 2)}, Metres{0.2}};
+  site.routes[0].legSpeeds = {{}, MetresPerSecond{0.1}, {}, {}};
+  ASSERT_TRUE(mend(faultsOf(site, FaultKind::RouteRepeatsPoint)[0].fix->edit, site));
+  EXPECT_EQ(site.routes[0].legSpeeds, (std::vector<std::optional<MetresPerSecond>>{MetresPerSecond{0.1}, std::nullopt}))
+      << "the legs keep their speeds";
   site.routes.push_back(site.routes[0]);
   EXPECT_EQ(faultsOf(site, FaultKind::RouteTwice).size(), 1U);
 }
@@ -94,8 +99,31 @@ TEST(RouteFaults, bendsFasterThanTheVehicleTurns) {
   // 0.5 m/s and 1.5 rad/s: a radius of 0.33 m.
   EXPECT_EQ(faultsOf(withRoute(arc(0.30)), FaultKind::RouteTooTight).size(), 1U);
   EXPECT_TRUE(faultsOf(withRoute(arc(0.37)), FaultKind::RouteTooTight).empty());
+  Site slow = withRoute(arc(0.30));
+  slow.routes[0].legSpeeds.assign(8, MetresPerSecond{0.4});
+  EXPECT_TRUE(faultsOf(slow, FaultKind::RouteTooTight).empty()) << "slowly enough for it";
+  slow.routes[0].legSpeeds[3].reset();
+  EXPECT_EQ(faultsOf(slow, FaultKind::RouteTooTight).size(), 1U) << "but one leg";
   EXPECT_TRUE(faultsOf(withRoute({at(1, 1), at(1.1, 1), at(1.1, 1.1)}), FaultKind::RouteTooTight).empty())
       << "at a sharp corner it stops and turns on the spot";
+}
+
+TEST(RouteFaults, legsThatMayBeDrivenFasterThanASlowZone) {
+  Site site = withRoute({at(0.5, 1), at(1, 1), at(2.5, 1)});
+  site.zones.push_back(zone("slow", ZoneKind::Slow, rectangle(1.5, 0.5, 2, 1.5)));
+  site.zones.back().speed = MetresPerSecond{0.1};
+  const auto faults = [&] { return faultsOf(site, FaultKind::RouteFasterThanZone); };
+  EXPECT_TRUE(faults().empty()) << "as ordered: nobody said how fast";
+  site.routes[0].legSpeeds = {MetresPerSecond{0.3}, MetresPerSecond{0.2}};
+  ASSERT_EQ(faults().size(), 1U) << "the first leg does not lead there";
+  EXPECT_EQ(faults()[0].severity, Severity::Warning);
+  EXPECT_EQ(faults()[0].sentence.english(),
+            "Leg 2 of route \"r\" may be driven at 0.20 m/s, but leads through the slow zone \"slow\" of 0.10 m/s.");
+  EXPECT_NEAR(faults()[0].place->low.x.value(), 1.5, 1e-6);
+  ASSERT_TRUE(mend(faults()[0].fix->edit, site));
+  EXPECT_TRUE(faults().empty());
+  EXPECT_EQ(site.routes[0].legSpeeds[0], MetresPerSecond{0.3});
+  EXPECT_EQ(site.routes[0].legSpeeds[1], MetresPerSecond{0.1});
 }
 
 TEST(RouteFaults, tooLongWithoutATag) {

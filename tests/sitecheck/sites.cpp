@@ -1,6 +1,7 @@
 #include "sitecheck/sites.h"
 
 #include "floor/new_floor.h"
+#include "floor/route_legs.h"
 
 namespace tessera::sitecheck {
 
@@ -62,7 +63,8 @@ public:
         erase(site_.tiles);
         return;
       default:
-        if (auto* t = any(site_.tiles)) t->type = below(2) == 0 ? "unknown" : site_.tileTypes.front().name;
+        if (auto* t = any(site_.tiles))
+          t->type = below(2) == 0 || site_.tileTypes.empty() ? "unknown" : site_.tileTypes.front().name;
     }
   }
   void tags() {
@@ -111,7 +113,7 @@ public:
     }
   }
   void routes() {
-    switch (below(4)) {
+    switch (below(6)) {
       case 0:
         site_.routes.push_back({"R" + std::to_string(below(4)), {somewhere(), somewhere(), somewhere()}, Metres{0.2}});
         return;
@@ -120,7 +122,13 @@ public:
         return;
       case 2:
         if (auto* r = any(site_.routes); r != nullptr && !r->vertices.empty())
-          r->vertices.push_back(r->vertices.back());
+          insertVertex(*r, r->vertices.size(), Point{r->vertices.back()});
+        return;
+      case 3:
+        if (auto* r = any(site_.routes)) eraseVertex(*r, below(6));
+        return;
+      case 4:
+        if (auto* r = any(site_.routes)) setLegSpeed(*r, below(4), speed());
         return;
       default:
         if (auto* r = any(site_.routes))
@@ -172,6 +180,10 @@ public:
 
 private:
   double step() { return std::uniform_real_distribution<double>{-0.1, 0.1}(random_); }
+  std::optional<MetresPerSecond> speed() {
+    if (below(4) == 0) return std::nullopt;
+    return MetresPerSecond{0.05 * static_cast<double>(1 + below(16))};
+  }
   Point somewhere() {
     std::uniform_real_distribution<double> on{-0.5, 3.5};
     return at(on(random_), on(random_));

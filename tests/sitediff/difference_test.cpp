@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "floor/random_site.h"
+#include "floor/route_legs.h"
 #include "sitecheck/sites.h"
 
 namespace tessera::sitediff {
@@ -86,6 +87,19 @@ TEST(Difference, countsWhatHappensToATilesTags) {
   EXPECT_EQ(change.sentence, "Tile \"T-0001\": tags registered: 0, cleared: 1, replaced: 2.");
 }
 
+TEST(Difference, namesTheLegWhoseSpeedIsAnother) {
+  Site slow = goodFloor();
+  setLegSpeed(slow.routes[0], 0, MetresPerSecond{0.2});
+  Site slower = slow;
+  setLegSpeed(slower.routes[0], 0, MetresPerSecond{0.05});
+  const auto sentence = [](const Site& a, const Site& b) { return difference(a, b).at(0).sentence.english(); };
+  EXPECT_EQ(sentence(slow, slower), "Route \"round\": at most 0.050 m/s instead of 0.200 m/s on leg 1.");
+  EXPECT_EQ(sentence(slow, goodFloor()), "Route \"round\": no highest speed on leg 1 any more.");
+  insertVertex(slower.routes[0], 1, at(1, 0.4));
+  EXPECT_EQ(difference(slow, slower).size(), 2U);
+  EXPECT_EQ(difference(slow, slower)[1].sentence, "Route \"round\": other highest speeds on its legs.");
+}
+
 TEST(Difference, ofZonesRoutesAndVehicles) {
   Change change = only([](Site& s) {
     for (Point& p : s.zones[0].outline) p = p + Offset{Metres{1}, {}};
@@ -97,6 +111,9 @@ TEST(Difference, ofZonesRoutesAndVehicles) {
   EXPECT_EQ(change.sentence, "Zone \"Floor\": kind \"no-go\" instead of \"running\".");
   change = only([](Site& s) { s.routes[0].vertices.pop_back(); });
   EXPECT_EQ(change.sentence, "Route \"round\": another way, 3.80 m instead of 6.00 m.");
+  change = only([](Site& s) { setLegSpeed(s.routes[0], 1, MetresPerSecond{0.1}); });
+  EXPECT_EQ(change.sentence, "Route \"round\": at most 0.100 m/s on leg 2.");
+  EXPECT_NEAR(change.place->low.x.value(), 2.6, 1e-9);
   change = only([](Site& s) { s.vehicles[0].key[3] = 1; });
   EXPECT_EQ(change.sentence, "Vehicle \"AGV 1\": another key.") << "and not which";
   change = only([](Site& s) { s.vehicles[0].track = Metres{0.5}; });

@@ -49,6 +49,16 @@ TEST(Figures, reckonWithTheSlowestZone) {
   EXPECT_NEAR(figuresOf(site).routes[0].time.value(), before + 0.5 * (4 - 2) + 0.5 * (10 - 2), 1e-6);
 }
 
+TEST(Figures, reckonWithTheSpeedsOfLegs) {
+  floor::Site site = goodFloor();
+  site.routes = {{"r", {at(0, 1), at(1, 1), at(3, 1)}, Metres{0.2}}};
+  const double before = figuresOf(site).routes[0].time.value();
+  site.routes[0].legSpeeds = {MetresPerSecond{0.1}, std::nullopt};
+  EXPECT_NEAR(figuresOf(site).routes[0].time.value(), before + 1 / 0.1 - 1 / 0.5, 1e-6);
+  site.routes[0].legSpeeds = {MetresPerSecond{9}, std::nullopt};
+  EXPECT_NEAR(figuresOf(site).routes[0].time.value(), before, 1e-6) << "no faster than the vehicle";
+}
+
 TEST(Figures, ofNothingAreNought) {
   const Figures f = figuresOf({});
   EXPECT_EQ(f.tilesLaid + f.tagPlaces + f.registered + f.zones.size() + f.routes.size(), 0U);
