@@ -1762,6 +1762,46 @@
         <source>%1: this revision is damaged and cannot be read. The others and the site are as they were.</source>
         <translation>%1：该修订版本已损坏，无法读取。其他修订版本和场地不受影响。</translation>
     </message>
+    <message>
+        <source>a speed or null for each leg, one fewer than vertices</source>
+        <translation>每一段一个速度或 null，比顶点少一个</translation>
+    </message>
+    <message>
+        <source>Leg %1 of route &quot;%2&quot; may be driven at %3 m/s, but leads through the slow zone &quot;%4&quot; of %5 m/s.</source>
+        <translation>路径“%2”的第 %1 段允许 %3 m/s，但它穿过限速 %5 m/s 的慢行区域“%4”。</translation>
+    </message>
+    <message>
+        <source>Slow leg %1 of route &quot;%2&quot; down to %3 m/s</source>
+        <translation>将路径“%2”第 %1 段的速度降到 %3 m/s</translation>
+    </message>
+    <message>
+        <source>at most %2 m/s on leg %1</source>
+        <translation>第 %1 段最高 %2 m/s</translation>
+    </message>
+    <message>
+        <source>no highest speed on leg %1 any more</source>
+        <translation>第 %1 段不再有最高速度</translation>
+    </message>
+    <message>
+        <source>at most %2 m/s instead of %3 m/s on leg %1</source>
+        <translation>第 %1 段最高 %2 m/s，原为 %3 m/s</translation>
+    </message>
+    <message>
+        <source>other highest speeds on its legs</source>
+        <translation>各段的最高速度不同</translation>
+    </message>
+    <message>
+        <source>Highest speeds of edges that became those of legs: %1.</source>
+        <translation>成为路段最高速度的边的最高速度：%1。</translation>
+    </message>
+    <message>
+        <source>no faster on this leg</source>
+        <translation>这一段限速</translation>
+    </message>
+    <message>
+        <source>slowing down before a slower leg</source>
+        <translation>在较慢的路段前减速</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>
@@ -1782,6 +1822,10 @@
         <source>%1, %2 ago</source>
         <comment>a vehicle&apos;s name, how long ago it was last heard</comment>
         <translation>%1，%2前</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
     </message>
 </context>
 <context>
@@ -2075,6 +2119,10 @@
     <message>
         <source>Split %1</source>
         <translation>拆分%1</translation>
+    </message>
+    <message>
+        <source>Set speed of leg %1 of %2</source>
+        <translation>设置 %2 第 %1 段的速度</translation>
     </message>
 </context>
 <context>
@@ -5436,6 +5484,10 @@ x %2 m，y %3 m</translation>
         <source>Make two routes of this one, at the chosen vertex</source>
         <translation>在所选顶点处把路径分为两条</translation>
     </message>
+    <message>
+        <source>Length divided by speed, slower on legs that have a lower one. Choose a vehicle for the time with its ramps and turns.</source>
+        <translation>长度除以速度，限速更低的路段按其速度计算。选择车辆后，给出含加减速和转向的时间。</translation>
+    </message>
 </context>
 <context>
     <name>tessera::ui::RouteTool</name>
@@ -7027,6 +7079,14 @@ Speed %3 m/s, commanded %4 m/s</source>
     <message>
         <source>Leg (m)</source>
         <translation>路段 (m)</translation>
+    </message>
+    <message>
+        <source>Highest speed on the leg from the vertex before; empty: as ordered</source>
+        <translation>从上一顶点到此的路段的最高速度；留空：按下达的速度</translation>
+    </message>
+    <message>
+        <source>Speed (m/s)</source>
+        <translation>速度 (m/s)</translation>
     </message>
 </context>
 <context>

@@ -1,11 +1,14 @@
 #include "ui/canvas/route_painter.h"
 
+#include <QCoreApplication>
 #include <QFontMetricsF>
+#include <QLocale>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "drive/control_points.h"
+#include "floor/route_legs.h"
 #include "ui/canvas/clip.h"
 #include "ui/canvas/furniture.h"
 #include "ui/canvas/strokes.h"
@@ -95,6 +98,35 @@ void paintRouteName(QPainter& painter, const View& view, const CanvasTheme& them
   paintHaloText(painter, at, name, colour, theme.halo);
 }
 
+// Beside the leg's middle, where the leg has room for it: above it, or to the right of one that leads up or down.
+void paintLegSpeeds(QPainter& painter, const View& view, const CanvasTheme& theme, const floor::Route& route,
+                    const QRectF& drawn, QColor colour) {
+  if (route.legSpeeds.empty()) return;
+  const QFont usual = painter.font();
+  QFont font = usual;
+  font.setPointSizeF(font.pointSizeF() * 0.85);
+  painter.setFont(font);
+  const QFontMetricsF metrics{font};
+  for (std::size_t leg = 0; leg < floor::legCount(route); ++leg) {
+    const auto speed = floor::legSpeed(route, leg);
+    if (!speed) continue;
+    const QLineF line{view.toPixel(route.vertices[leg]), view.toPixel(route.vertices[leg + 1])};
+    const QString text =
+        QCoreApplication::translate("FloorCanvas", "%1 m/s").arg(QLocale().toString(speed->value(), 'g', 3));
+    const double width = metrics.horizontalAdvance(text);
+    if (line.length() < width + 2 * metrics.height()) continue;
+    QPointF across{line.dy() / line.length(), -line.dx() / line.length()};
+    if (across.y() > 0.1 || (across.y() > -0.1 && across.x() < 0)) across = -across;
+    // Half the text's box reaches this far towards the leg.
+    const double reach = 8.0 + std::abs(across.x()) * width / 2 + std::abs(across.y()) * metrics.height() / 2;
+    const QPointF middle = line.center() + across * reach;
+    const QRectF box{middle.x() - width / 2, middle.y() - metrics.height() / 2, width, metrics.height()};
+    if (!box.adjusted(-2, -2, 2, 2).intersects(drawn)) continue;
+    paintHaloText(painter, {box.left(), middle.y() + metrics.capHeight() / 2}, text, colour, theme.halo);
+  }
+  painter.setFont(usual);
+}
+
 }  // namespace
 
 void paintRoute(QPainter& painter, const View& view, const CanvasTheme& theme, const floor::Route& route,
@@ -127,6 +159,7 @@ void paintRoute(QPainter& painter, const View& view, const CanvasTheme& theme, c
   if (chosen) paintTicks(painter, view, route, theme.onRoute);
   for (const QLineF& leg : legs) paintArrows(painter, leg, around, chosen ? 7.0 : 5.0, colour);
   paintVertices(painter, view, theme, route, colour, chosen);
+  paintLegSpeeds(painter, view, theme, route, drawn, chosen ? theme.selectedRoute : theme.quietText);
   paintRouteName(painter, view, theme, route, chosen ? theme.selectedRoute : theme.quietText, chosen);
 }
 

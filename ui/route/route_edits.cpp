@@ -85,8 +85,7 @@ Result<void> RouteEdits::rename(const QString& route, const QString& to) {
 }
 
 Result<void> RouteEdits::reverse(const QString& route) {
-  return change(tr("Reverse %1").arg(route), route,
-                [](floor::Route& r) { std::reverse(r.vertices.begin(), r.vertices.end()); });
+  return change(tr("Reverse %1").arg(route), route, [](floor::Route& r) { floor::reverse(r); });
 }
 
 Result<void> RouteEdits::setSpacing(const QString& route, Metres spacing, int mergeKey) {
@@ -109,19 +108,22 @@ Result<void> RouteEdits::insertVertex(const QString& route, std::size_t before, 
   const floor::Route* r = find(route);
   if (r != nullptr && r->vertices.size() >= kMostVertices)
     return sentence(tr("This route has as many vertices as a route may have."));
-  return change(tr("Insert vertex into %1").arg(route), route, [&](floor::Route& to) {
-    const auto at = static_cast<std::ptrdiff_t>(std::min(before, to.vertices.size()));
-    to.vertices.insert(to.vertices.begin() + at, place);
-  });
+  return change(tr("Insert vertex into %1").arg(route), route,
+                [&](floor::Route& to) { floor::insertVertex(to, before, place); });
 }
 
 Result<void> RouteEdits::removeVertex(const QString& route, std::size_t vertex) {
   const floor::Route* r = find(route);
   if (r != nullptr && r->vertices.size() <= 2)
     return sentence(tr("A route needs two vertices; to remove it, delete the route."));
-  return change(tr("Delete vertex %1 of %2").arg(vertex + 1).arg(route), route, [&](floor::Route& from) {
-    if (vertex < from.vertices.size()) from.vertices.erase(from.vertices.begin() + static_cast<std::ptrdiff_t>(vertex));
-  });
+  return change(tr("Delete vertex %1 of %2").arg(vertex + 1).arg(route), route,
+                [&](floor::Route& from) { floor::eraseVertex(from, vertex); });
+}
+
+Result<void> RouteEdits::setLegSpeed(const QString& route, std::size_t leg, std::optional<MetresPerSecond> speed) {
+  if (speed) speed = std::clamp(*speed, kLeastSpeed, kMostSpeed);
+  return change(tr("Set speed of leg %1 of %2").arg(leg + 1).arg(route), route,
+                [&](floor::Route& r) { floor::setLegSpeed(r, leg, speed); });
 }
 
 }  // namespace tessera::ui

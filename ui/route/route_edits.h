@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "floor/route_legs.h"
 #include "ui/base/site_document.h"
 #include "ui/base/tidy.h"
 
@@ -18,6 +19,8 @@ class RouteEdits {
 public:
   static constexpr Metres kLeastSpacing{0.01};
   static constexpr Metres kMostSpacing{10.0};
+  static constexpr MetresPerSecond kLeastSpeed = floor::kLeastLegSpeed;
+  static constexpr MetresPerSecond kMostSpeed = floor::kMostLegSpeed;
   static constexpr std::size_t kMostVertices = 10'000;
   static constexpr int kLongestName = 200;
 
@@ -49,6 +52,8 @@ public:
   Result<void> insertVertex(const QString& route, std::size_t before, Point place);
   /// Error: only two vertices are left.
   Result<void> removeVertex(const QString& route, std::size_t vertex);
+  /// Highest speed of the leg from that vertex to the next; nullopt: as ordered.
+  Result<void> setLegSpeed(const QString& route, std::size_t leg, std::optional<MetresPerSecond> speed);
 
 private:
   [[nodiscard]] QString freeName(const QString& pattern) const;

@@ -20,12 +20,6 @@ Joint jointOf(const floor::Route& route, const floor::Route& other) {
   return Joint::None;
 }
 
-// The second one's first vertex is the first one's last.
-std::vector<Point> chained(std::vector<Point> first, const std::vector<Point>& second) {
-  first.insert(first.end(), second.begin() + 1, second.end());
-  return first;
-}
-
 }  // namespace
 
 QStringList RouteEdits::touching(const QString& route) const {
@@ -44,13 +38,17 @@ Result<void> RouteEdits::join(const QString& route, const QString& other) {
   if (joint == Joint::None) return failure(tr("“%1” and “%2” have no end in common.").arg(route, other).toStdString());
   if (own->vertices.size() + more->vertices.size() - 1 > kMostVertices)
     return failure(tr("Together they would have more vertices than a route may have.").toStdString());
-  std::vector<Point> second = more->vertices;
-  if (joint == Joint::BehindReversed || joint == Joint::BeforeReversed) std::reverse(second.begin(), second.end());
-  const bool behind = joint == Joint::BehindAsIs || joint == Joint::BehindReversed;
-  const std::vector<Point> whole = behind ? chained(own->vertices, second) : chained(second, own->vertices);
+  floor::Route first = *own;
+  floor::Route second = *more;
+  if (joint == Joint::BehindReversed || joint == Joint::BeforeReversed) floor::reverse(second);
+  if (joint == Joint::BeforeAsIs || joint == Joint::BeforeReversed) std::swap(first, second);
+  floor::append(first, second);
   return document_.edit(tr("Join %1 with %2").arg(route, other), [&](floor::Site& site) {
-    for (floor::Route& r : site.routes)
-      if (r.name == route.toStdString()) r.vertices = whole;
+    for (floor::Route& r : site.routes) {
+      if (r.name != route.toStdString()) continue;
+      r.vertices = first.vertices;
+      r.legSpeeds = first.legSpeeds;
+    }
     std::erase_if(site.routes, [&](const floor::Route& r) { return r.name == other.toStdString(); });
   });
 }
@@ -61,15 +59,12 @@ Result<QString> RouteEdits::split(const QString& route, std::size_t vertex) {
   if (vertex == 0 || vertex + 1 >= own->vertices.size())
     return failure(tr("A route is split at a vertex between two others.").toStdString());
   QString name = freeNameLike(route, tr("%1 (part 2)"), tr("%1 (part 2, %2)"));
-  floor::Route rest = *own;
-  rest.name = name.toStdString();
-  const auto at = static_cast<std::ptrdiff_t>(vertex);
-  rest.vertices.erase(rest.vertices.begin(), rest.vertices.begin() + at);
   const auto done = document_.edit(tr("Split %1").arg(route), [&](floor::Site& site) {
     const auto first = std::find_if(site.routes.begin(), site.routes.end(),
                                     [&](const floor::Route& r) { return r.name == route.toStdString(); });
-    first->vertices.erase(first->vertices.begin() + at + 1, first->vertices.end());
-    site.routes.insert(first + 1, rest);
+    floor::Route rest = floor::cutAt(*first, vertex);
+    rest.name = name.toStdString();
+    site.routes.insert(first + 1, std::move(rest));
   });
   if (!done) return tl::unexpected{done.error()};
   return name;

@@ -25,6 +25,15 @@ constexpr int kNameRole = Qt::UserRole;  // the name as the document has it, whi
 constexpr int kFirstSpacingKey = 2'000'000;
 constexpr Seconds kUsualDelay{0.25};  // of commands to one of a few vehicles on a channel of their own
 
+// At the speed that is asked for, and on legs that have one of their own no faster than that.
+Seconds simpleTime(const floor::Route& route, MetresPerSecond speed) {
+  Seconds time;
+  for (std::size_t leg = 0; leg < floor::legCount(route); ++leg)
+    time += distance(route.vertices[leg], route.vertices[leg + 1]) /
+            std::min(speed, floor::legSpeed(route, leg).value_or(speed));
+  return time;
+}
+
 }  // namespace
 
 RoutePanel::RoutePanel(SiteDocument& document, Selection& selection, QWidget* parent)
@@ -108,7 +117,7 @@ void RoutePanel::refreshTime() {
   const QLocale locale;
   const MetresPerSecond speed{speed_->value()};
   const Metres way = Polyline{route->vertices}.length();
-  Seconds time = way / speed;
+  Seconds time = simpleTime(*route, speed);
   const auto chosen = selection_.vehicle();
   const floor::VehicleSetup* vehicle = chosen ? document_.map()->vehicle(*chosen) : nullptr;
   if (vehicle != nullptr) {
@@ -120,7 +129,8 @@ void RoutePanel::refreshTime() {
       vehicle != nullptr
           ? tr("As %1 drives it at that speed: with its ramps, its top speed and its turns on the spot at corners.")
                 .arg(QString::fromStdString(vehicle->name))
-          : tr("Length divided by speed. Choose a vehicle for the time with its ramps and turns."));
+          : tr("Length divided by speed, slower on legs that have a lower one. Choose a vehicle for the time with its "
+               "ramps and turns."));
   const double seconds = std::round(time.value());
   const QString metres = locale.toString(way.value(), 'f', 2);
   if (seconds < 100.0) {
@@ -159,7 +169,8 @@ void RoutePanel::setVertex(std::optional<std::size_t> vertex) {
   filling_ = true;
   if (vertex && *vertex < static_cast<std::size_t>(vertices_->rowCount())) {
     const int column = std::max(0, table_->currentIndex().column());
-    table_->setCurrentIndex(vertices_->index(static_cast<int>(*vertex), std::min<int>(column, VertexModel::kY)));
+    table_->setCurrentIndex(
+        vertices_->index(static_cast<int>(*vertex), column == VertexModel::kLeg ? VertexModel::kY : column));
   } else {
     table_->clearSelection();
     table_->setCurrentIndex({});

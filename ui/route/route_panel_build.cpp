@@ -15,7 +15,8 @@
 #include <QVBoxLayout>
 
 #include "ui/base/icon.h"
-#include "ui/route/metre_delegate.h"
+#include "ui/base/number_delegate.h"
+#include "ui/base/tidy.h"
 #include "ui/route/route_panel.h"
 
 namespace tessera::ui {
@@ -116,7 +117,11 @@ QWidget* RoutePanel::makeDetails() {
   table_->setObjectName("vertexTable");
   table_->setMinimumHeight(4 * fontMetrics().height());
   table_->setModel(vertices_);
-  table_->setItemDelegate(new MetreDelegate{table_});
+  const double most = kFarthest.value();
+  table_->setItemDelegate(new NumberDelegate{{"metreEditor", 3, -most, most, 0.01}, table_});
+  table_->setItemDelegateForColumn(
+      VertexModel::kSpeed,
+      new NumberDelegate{{"legSpeedEditor", 3, 0.0, RouteEdits::kMostSpeed.value(), 0.05, true}, table_});
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setTabKeyNavigation(false);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);

@@ -139,7 +139,7 @@ Snap RouteTool::snapAt(const ToolMouse& mouse, const CanvasScene& scene) const {
     if (straight && !draft_.empty()) wish.from = draft_.back();
   } else if (drag_ && straight) {
     // From the vertex before; the first one from the one after.
-    wish.from = drag_->vertices[drag_->index > 0 ? drag_->index - 1 : 1];
+    wish.from = drag_->route.vertices[drag_->index > 0 ? drag_->index - 1 : 1];
   }
   return snapped(scene, mouse.pixel, wish);
 }
@@ -174,7 +174,7 @@ bool RouteTool::mouseMoved(const ToolMouse& mouse, const CanvasScene& scene) {
       return true;
     drag_->moved = true;
     pointer_ = snapAt(mouse, scene);
-    drag_->vertices[drag_->index] = pointer_->place;
+    drag_->route.vertices[drag_->index] = pointer_->place;
     Q_EMIT changed();
     return true;
   }
@@ -238,14 +238,13 @@ void RouteTool::finish() {
 }
 
 void RouteTool::beginDrag(Hit hit, QPointF pixel) {
-  drag_ = Drag{route()->vertices, hit.index, false, false, pixel};
+  drag_ = Drag{*route(), hit.index, false, false, pixel};
   if (hit.kind == Hit::Kind::Middle) {
-    const Point a = drag_->vertices[hit.index];
-    const Point b = drag_->vertices[hit.index + 1];
+    const Point a = drag_->route.vertices[hit.index];
+    const Point b = drag_->route.vertices[hit.index + 1];
     drag_->index = hit.index + 1;
     drag_->inserted = true;
-    drag_->vertices.insert(drag_->vertices.begin() + static_cast<std::ptrdiff_t>(drag_->index),
-                           tidy(a + 0.5 * (b - a)));
+    floor::insertVertex(drag_->route, drag_->index, tidy(a + 0.5 * (b - a)));
   } else {
     setVertex(hit.index);
   }
@@ -256,7 +255,7 @@ void RouteTool::beginDrag(Hit hit, QPointF pixel) {
 void RouteTool::endDrag() {
   const Drag drag = *std::exchange(drag_, std::nullopt);
   pointer_.reset();
-  const Point place = drag.vertices[drag.index];
+  const Point place = drag.route.vertices[drag.index];
   const QString name = selection_.route();
   editing_ = true;
   Result<void> result;

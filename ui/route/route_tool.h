@@ -67,7 +67,7 @@ private:
     bool operator==(const Hit&) const = default;
   };
   struct Drag {
-    std::vector<Point> vertices;  ///< the route as it would be
+    floor::Route route;  ///< as it would be
     std::size_t index = 0;
     bool inserted = false;
     bool moved = false;

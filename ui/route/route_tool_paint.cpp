@@ -18,8 +18,7 @@ constexpr double kLegHandleFrom = 44.0;
 void RouteTool::paint(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme) {
   painter.setRenderHint(QPainter::Antialiasing);
   if (const floor::Route* chosen = route()) {
-    floor::Route shown = *chosen;
-    if (drag_) shown.vertices = drag_->vertices;
+    const floor::Route& shown = drag_ ? drag_->route : *chosen;
     paintRoute(painter, scene.view, theme, shown, drawing_ ? RouteLook::Quiet : RouteLook::Chosen);
     if (!drawing_) paintHandles(painter, scene, theme, shown);
   }
@@ -28,11 +27,7 @@ void RouteTool::paint(QPainter& painter, const CanvasScene& scene, const CanvasT
 }
 
 std::optional<floor::Route> RouteTool::trial() const {
-  if (drag_ && route() != nullptr) {
-    floor::Route moved = *route();
-    moved.vertices = drag_->vertices;
-    return moved;
-  }
+  if (drag_ && route() != nullptr) return drag_->route;
   if (!drawing_) return std::nullopt;
   floor::Route drawn{edits_.freeName().toStdString(), draft_, floor::Route{}.controlSpacing};
   if (pointer_ && !draft_.empty() && draft_.back() != pointer_->place) drawn.vertices.push_back(pointer_->place);

@@ -1,4 +1,5 @@
-// The vertices of the chosen route as a table: number, place in metres, way from the one before.
+// The vertices of the chosen route as a table: number, place in metres, way from the one before and highest speed on
+// it.
 #pragma once
 
 #include <QAbstractTableModel>
@@ -11,7 +12,7 @@ namespace tessera::ui {
 class VertexModel : public QAbstractTableModel {
   Q_OBJECT
 public:
-  enum Column { kX, kY, kLeg, kColumns };
+  enum Column { kX, kY, kLeg, kSpeed, kColumns };
 
   VertexModel(SiteDocument& document, QObject* parent);
 
@@ -32,9 +33,12 @@ Q_SIGNALS:
   void refused(const QString& sentence);
 
 private:
+  bool setSpeed(std::size_t vertex, const QVariant& value);
+  [[nodiscard]] std::optional<MetresPerSecond> speedTo(std::size_t vertex) const;
+
   RouteEdits edits_;
-  QString route_;
-  std::vector<Point> vertices_;
+  QString name_;
+  floor::Route route_;
 };
 
 }  // namespace tessera::ui

@@ -15,7 +15,8 @@
 #include <QVBoxLayout>
 
 #include "ui/base/icon.h"
-#include "ui/zone/centimetre_delegate.h"
+#include "ui/base/number_delegate.h"
+#include "ui/base/tidy.h"
 #include "ui/zone/zone_panel.h"
 #include "ui/zone/zone_words.h"
 
@@ -161,7 +162,8 @@ QWidget* ZonePanel::makeDetails() {
   table_->setObjectName("cornerTable");
   table_->setMinimumHeight(4 * fontMetrics().height());
   table_->setModel(corners_);
-  table_->setItemDelegate(new CentimetreDelegate{table_});
+  const double most = 100.0 * kFarthest.value();
+  table_->setItemDelegate(new NumberDelegate{{"centimetreEditor", 1, -most, most, 1.0}, table_});
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setTabKeyNavigation(false);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);

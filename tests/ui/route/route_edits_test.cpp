@@ -74,7 +74,7 @@ TEST_F(RouteEditing, LeadsBackAndForthThroughAnySequenceOfEdits) {
       const std::size_t vertex = random() % 4;
       const Point p = tidy(place(number(5), number(5)));
       const int mergeKey = static_cast<int>(random() % 3);
-      switch (random() % 9) {
+      switch (random() % 12) {
         case 0:
           static_cast<void>(edits.add({p, tidy(place(number(5), number(5)))}));
           break;
@@ -99,6 +99,13 @@ TEST_F(RouteEditing, LeadsBackAndForthThroughAnySequenceOfEdits) {
         case 7:
           static_cast<void>(edits.removeVertex(route, vertex));
           break;
+        case 8:
+        case 9:
+          static_cast<void>(edits.setLegSpeed(route, vertex, MetresPerSecond{number(1)}));
+          break;
+        case 10:
+          static_cast<void>(edits.split(route, vertex));
+          break;
         default:
           static_cast<void>(edits.moveVertex(route, vertex, p, mergeKey));
           break;
@@ -109,7 +116,9 @@ TEST_F(RouteEditing, LeadsBackAndForthThroughAnySequenceOfEdits) {
     EXPECT_EQ(document.site(), before) << "seed " << seed;
     while (document.undoStack().canRedo()) document.undoStack().redo();
     EXPECT_EQ(document.site(), after) << "seed " << seed;
-    EXPECT_TRUE(floor::parseSite(floor::writeSite(after), "edited")) << "seed " << seed;
+    const auto written = floor::parseSite(floor::writeSite(after), "edited");
+    ASSERT_TRUE(written) << "seed " << seed << ": " << written.error().sentence;
+    EXPECT_EQ(*written, after) << "seed " << seed;
   }
 }
 

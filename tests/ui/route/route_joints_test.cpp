@@ -66,6 +66,23 @@ TEST_F(RouteJoints, AreUndoneBySplittingThere) {
   EXPECT_FALSE(edits.split("nowhere", 1));
 }
 
+TEST_F(RouteJoints, KeepTheSpeedsOfTheirLegs) {
+  const MetresPerSecond slow{0.1};
+  const MetresPerSecond fast{0.4};
+  ASSERT_TRUE(edits.setLegSpeed("a", 0, slow));
+  ASSERT_TRUE(edits.setLegSpeed("before, turned", 0, fast));
+  const floor::Site marked = document.site();
+  ASSERT_TRUE(edits.join("a", "before, turned"));
+  EXPECT_EQ(edits.find("a")->legSpeeds, (std::vector<std::optional<MetresPerSecond>>{fast, slow, std::nullopt}));
+  const QString rest = edits.split("a", 1).value();
+  EXPECT_EQ(edits.find("a")->legSpeeds, (std::vector{std::optional{fast}}));
+  EXPECT_EQ(edits.find(rest)->legSpeeds, (std::vector<std::optional<MetresPerSecond>>{slow, std::nullopt}));
+  for (int n = 0; n < 2; ++n) document.undoStack().undo();
+  EXPECT_EQ(document.site(), marked);
+  ASSERT_TRUE(edits.reverse("a"));
+  EXPECT_EQ(edits.find("a")->legSpeeds, (std::vector<std::optional<MetresPerSecond>>{std::nullopt, slow}));
+}
+
 TEST_F(RouteJoints, AreMadeAndSplitInThePanel) {
   Selection selection;
   RoutePanel panel{document, selection};
@@ -124,6 +141,19 @@ TEST_F(RouteTrial, IsTheRouteAsItWouldBeWhileDrawnAndDragged) {
   expectAt(tool.trial()->vertices[1], 2.4, 0.6, 0.02);
   QTest::mouseRelease(&canvas, Qt::LeftButton, {}, pixel(2.4, 0.6));
   EXPECT_FALSE(tool.trial());
+}
+
+TEST_F(RouteTrial, KeepsTheSpeedOfALegThatIsDraggedInTwo) {
+  selection.setRoute("one");
+  ASSERT_TRUE(RouteEdits{document}.setLegSpeed("one", 0, MetresPerSecond{0.1}));
+  const auto both =
+      std::vector<std::optional<MetresPerSecond>>{MetresPerSecond{0.1}, MetresPerSecond{0.1}, std::nullopt};
+  QTest::mousePress(&canvas, Qt::LeftButton, {}, pixel(1.25, 0.5));
+  moveTo(pixel(1.25, 0.9), {});
+  ASSERT_TRUE(tool.trial());
+  EXPECT_EQ(tool.trial()->legSpeeds, both);
+  QTest::mouseRelease(&canvas, Qt::LeftButton, {}, pixel(1.25, 0.9));
+  EXPECT_EQ(document.map()->route("one")->legSpeeds, both);
 }
 
 TEST_F(RouteTrial, ShowsWhatIsWrongWithItBesideTheCursor) {

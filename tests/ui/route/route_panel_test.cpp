@@ -42,6 +42,7 @@ protected:
     auto* line = view.viewport()->findChild<QLineEdit*>();
     ASSERT_NE(line, nullptr);
     line->selectAll();
+    QTest::keyClick(line, Qt::Key_Delete);
     QTest::keyClicks(line, text);
     QTest::keyClick(line, Qt::Key_Return);
     // The view takes the text over when the key's event is done with.
@@ -164,6 +165,44 @@ TEST_F(PanelUnderTest, TellsLengthAndTimeAtASpeed) {
   EXPECT_EQ(text->text(), "3.00 m, about 6 s");
   find<QDoubleSpinBox>("estimateSpeed")->setValue(0.02);
   EXPECT_EQ(text->text(), "3.00 m, about 2 min 30 s");
+}
+
+TEST_F(PanelUnderTest, SetsTheSpeedOfALegAndTakesItAwayAgain) {
+  clickRow(0);
+  find<QDoubleSpinBox>("estimateSpeed")->setValue(0.5);
+  auto* text = find<QLabel>("routeLength");
+  const auto cell = [&](int row) { return table().model()->index(row, VertexModel::kSpeed).data().toString(); };
+  EXPECT_EQ(table().model()->headerData(VertexModel::kSpeed, Qt::Horizontal).toString(), "Speed (m/s)");
+  editCell(2, VertexModel::kSpeed, "0.1");
+  EXPECT_EQ(document.map()->route("one")->legSpeeds,
+            (std::vector<std::optional<MetresPerSecond>>{std::nullopt, MetresPerSecond{0.1}}));
+  EXPECT_EQ(cell(2), "0.100");
+  EXPECT_EQ(cell(1), "");
+  EXPECT_EQ(text->text(), "3.00 m, about 18 s") << "1.5 m at 0.5 m/s and 1.5 m at 0.1 m/s";
+  EXPECT_EQ(document.undoStack().undoText(), "Set speed of leg 2 of one");
+  editCell(2, VertexModel::kSpeed, "0.1");
+  EXPECT_EQ(document.undoStack().count(), 1) << "the same number is no step";
+  editCell(2, VertexModel::kSpeed, "");
+  EXPECT_TRUE(document.map()->route("one")->legSpeeds.empty());
+  EXPECT_EQ(text->text(), "3.00 m, about 6 s");
+  document.undoStack().undo();
+  EXPECT_EQ(cell(2), "0.100");
+  EXPECT_FALSE(table().model()->flags(table().model()->index(0, VertexModel::kSpeed)) & Qt::ItemIsEditable)
+      << "no leg leads to the first vertex";
+}
+
+TEST_F(PanelUnderTest, SetsTheSpeedOfALegByKeys) {
+  clickRow(0);
+  table().setFocus();
+  table().setCurrentIndex(table().model()->index(1, VertexModel::kX));
+  for (int n = 0; n < 3; ++n) QTest::keyClick(&table(), Qt::Key_Right);
+  ASSERT_EQ(table().currentIndex().column(), VertexModel::kSpeed);
+  QTest::keyClick(&table(), Qt::Key_F2);
+  type(table(), "99");
+  EXPECT_LE(document.map()->route("one")->legSpeeds.at(0).value_or(MetresPerSecond{}), RouteEdits::kMostSpeed);
+  QTest::keyClick(&table(), Qt::Key_F2);
+  type(table(), "0.25");
+  EXPECT_EQ(document.map()->route("one")->legSpeeds.at(0), MetresPerSecond{0.25});
 }
 
 TEST_F(PanelUnderTest, DuplicatesAndReverses) {
