@@ -7,6 +7,7 @@
 #include "app/cli/output.h"
 #include "app/cli/port_run.h"
 #include "app/cli/track_picture.h"
+#include "app/experiment/carried.h"
 #include "app/experiment/lockstep.h"
 #include "app/experiment/report.h"
 #include "app/experiment/summary.h"
@@ -16,6 +17,8 @@
 #include "drive/route_follower.h"
 #include "floor/site_json.h"
 #include "locate/locator.h"
+#include "sim/random_stream.h"
+#include "sim/site_bounds.h"
 
 namespace tessera::cli {
 namespace {
@@ -30,10 +33,13 @@ struct ExperimentWords {
   std::string estimator;
   std::string controller;
   double limit = 0;
+  double carry = 0;
   bool lockstep = false;
   bool json = false;
   bool quiet = false;
 };
+
+constexpr Metres kCarriedAtLeast{0.3};
 
 // What a run needs, made from the words and checked.
 struct Plan {
@@ -47,8 +53,8 @@ struct Plan {
 Result<Plan> planOf(const ExperimentWords& words) {
   auto site = floor::loadSite(words.world.site);
   if (!site) return tl::unexpected{site.error()};
-  // The world's radios and the host's are set alike, as an integrator would.
-  if (words.world.airRate) site->radio.airRate = *words.world.airRate;
+  // The world's vehicles and radios and what the supervisor is told of them are alike, as an integrator would.
+  world::applyTo(*site, words.world);
   auto map = floor::SiteMap::build(std::move(*site));
   if (!map) return failure(words.world.site + ": " + map.error().sentence.english());
   Plan plan;
@@ -73,9 +79,25 @@ Result<Plan> planOf(const ExperimentWords& words) {
   return plan;
 }
 
+// Somebody lifts a vehicle while it drives and sets it down anywhere on the floor's middle, turned by any angle.
+void liftAndSetDown(sim::World& world, const Plan& plan, VehicleId vehicle, std::uint64_t seed) {
+  sim::RandomStream random{seed, "carried"};
+  const auto bounds = sim::boundsOf(plan.map->site());
+  const auto truth = world.truth(vehicle);
+  if (!bounds || !truth) return;
+  const Offset size = bounds->upperRight - bounds->lowerLeft;
+  for (int tries = 0; tries < 100; ++tries) {
+    const Offset from{size.x * random.between(0.3, 0.7), size.y * random.between(0.3, 0.7)};
+    const Offset by = bounds->lowerLeft + from - truth->pose.position;
+    if (length(by) < kCarriedAtLeast) continue;
+    world.push(vehicle, by, Radians{random.between(-kPi, kPi)});
+    return;
+  }
+}
+
 // A run in virtual time, in this process.
 Result<RunEnd> runLockstep(const Plan& plan, const ExperimentWords& words, experiment::Recorder& recorder,
-                           ProgressLine& progress) {
+                           ProgressLine& progress, std::optional<Seconds>& carriedAt) {
   auto made = world::makeWorld(words.world, Seconds{});
   if (!made) return tl::unexpected{made.error()};
   auto supervisor = supervisor::Supervisor::create(plan.map, plan.config);
@@ -86,7 +108,12 @@ Result<RunEnd> runLockstep(const Plan& plan, const ExperimentWords& words, exper
   for (const auto& assignment : recorder.assignments()) {
     supervisor->post(supervisor::RunRoute{assignment.vehicle, assignment.route, plan.speed});
   }
-  const bool done = lockstep.run(lockstep.now() + plan.limit, [&] {
+  const Seconds ordered = lockstep.now();
+  const bool done = lockstep.run(ordered + plan.limit, [&] {
+    if (words.carry > 0 && !carriedAt && lockstep.now() >= ordered + Seconds{words.carry}) {
+      carriedAt = lockstep.now();
+      liftAndSetDown(*made->world, plan, plan.assignments.front().vehicle, words.world.seed);
+    }
     progress.show(recorder.share(), recorder.progress());
     return recorder.allFinished();
   });
@@ -125,7 +152,21 @@ nlohmann::json optionsOf(const ExperimentWords& words, const Plan& plan) {
                          {"lockstep", words.lockstep},
                          {"estimator", nameOr(words.estimator, locate::locatorNames())},
                          {"controller", nameOr(words.controller, drive::followerNames())},
-                         {"air_rate_bit_per_s", words.world.airRate.value_or(plan.map->site().radio.airRate)}};
+                         {"air_rate_bit_per_s", plan.map->site().radio.airRate},
+                         {"air_factor", words.world.airFactor},
+                         {"loss", words.world.loss},
+                         {"delay_s", words.world.delay}};
+  if (const auto* setup = plan.map->vehicle(plan.assignments.front().vehicle)) {
+    const sim::BodyParameters body = world::bodyFor(*setup, words.world);
+    options["readers"] = setup->readers.size();
+    options["radius_m"] = body.readers.radius.value();
+    options["poll_s"] = body.readers.pollPeriod.value();
+    options["detection"] = body.readers.detection;
+    options["compass_noise_deg"] = degrees(Radians{body.compass.noise / sim::kEarthHorizontal});
+    options["compass_bias_deg"] = degrees(body.compass.bias);
+    options["slip"] = body.plant.slip;
+    options["speed_noise"] = body.plant.speedNoise;
+  }
   // Where the true poses were written says nothing about the run.
   world::WorldOptions world = words.world;
   world.truth.clear();
@@ -134,7 +175,7 @@ nlohmann::json optionsOf(const ExperimentWords& words, const Plan& plan) {
 }
 
 int conclude(const ExperimentWords& words, const Plan& plan, const experiment::Recorder& recorder,
-             const std::vector<std::string>& complaints, RunEnd end) {
+             const std::vector<std::string>& complaints, std::optional<Seconds> carriedAt, RunEnd end) {
   std::vector<experiment::TruthTrack> truths;
   for (const auto& assignment : plan.assignments) {
     auto truth = experiment::readTruth(words.world.truth, assignment.vehicle.value);
@@ -145,6 +186,13 @@ int conclude(const ExperimentWords& words, const Plan& plan, const experiment::R
   nlohmann::json summary = experiment::summarise(optionsOf(words, plan), outcomes, recorder);
   // Figures of a world that could not keep step are worth nothing.
   summary["world_complaints"] = complaints;
+  if (carriedAt) {
+    const auto found = experiment::foundAfter(outcomes.front().samples, *carriedAt);
+    summary["carried"] = {{"time_s", carriedAt->value()},
+                          {"found", found.has_value()},
+                          {"found_after_m", found.value_or(Metres{}).value()},
+                          {"wrongly_sure_s", experiment::wronglySure(outcomes.front().samples, *carriedAt).value()}};
+  }
   if (auto written = experiment::writeReport(words.out, summary, outcomes); !written) {
     return complain(written.error().sentence, kCannotWrite);
   }
@@ -164,6 +212,7 @@ int conclude(const ExperimentWords& words, const Plan& plan, const experiment::R
 
 int experimentMain(ExperimentWords words) {
   words.world.kind = words.kind == "qemu" ? world::Kind::Qemu : world::Kind::Native;
+  if (words.carry > 0 && !words.lockstep) return complain("Carrying a vehicle (--carry) needs --lockstep.", kUsage);
   if (words.lockstep && words.world.kind == world::Kind::Qemu) {
     return complain("An emulated vehicle runs in real time: leave out --lockstep, or take --vehicle native.", kUsage);
   }
@@ -177,14 +226,15 @@ int experimentMain(ExperimentWords words) {
 
   experiment::Recorder recorder{plan->assignments};
   std::vector<std::string> complaints;
+  std::optional<Seconds> carriedAt;
   Result<RunEnd> end = RunEnd::TimeUp;
   {
     ProgressLine progress{words.quiet || words.json};
-    end = words.lockstep ? runLockstep(*plan, words, recorder, progress)
+    end = words.lockstep ? runLockstep(*plan, words, recorder, progress, carriedAt)
                          : runThroughPty(*plan, words, recorder, progress, complaints);
   }
   if (!end) return complain(end.error().sentence, kNoPort);
-  return conclude(words, *plan, recorder, complaints, *end);
+  return conclude(words, *plan, recorder, complaints, carriedAt, *end);
 }
 
 }  // namespace
@@ -209,6 +259,10 @@ void addExperiment(CLI::App& app, Run& run) {
   command->add_option("--limit", words->limit, "Give up after so many seconds; default: three times the drive, and 60");
   command->add_flag("--lockstep", words->lockstep,
                     "Virtual time in one process, without a port: faster, and the same each time (native only)");
+  command
+      ->add_option("--carry", words->carry,
+                   "Lift the first vehicle after so many seconds and set it down elsewhere (lockstep only)")
+      ->check(CLI::Range(0.1, 1e6));
   command->add_flag("--json", words->json, "Print the summary as JSON");
   command->add_flag("--quiet", words->quiet, "No progress");
   world::addWorldConditions(*command, words->world);

@@ -84,7 +84,7 @@ Metrics evaluate(const Polyline& route, const std::vector<Sample>& samples, Metr
                  Metres cornerMargin) {
   Metrics m;
   if (route.legCount() == 0) return m;
-  std::vector<double> errors;
+  std::vector<double> errors, nees;
   RootMeanSquare heading, cross, crossOff;
   ReversalCounter reversals;
   ProgressTracker progress{route};
@@ -98,6 +98,7 @@ Metrics evaluate(const Polyline& route, const std::vector<Sample>& samples, Metr
     errors.push_back(distance(s.belief.pose.position, s.truth.pose.position).value());
     heading.add(turnBetween(s.truth.pose.heading, s.belief.pose.heading).value());
     located += s.belief.located ? 1 : 0;
+    if (const auto one = neesOf(s); one && s.belief.located) nees.push_back(*one);
     const auto p = progress.update(s.truth.pose.position);
     reversals.add(p.along);
     const double off = abs(p.across).value();
@@ -123,6 +124,7 @@ Metrics evaluate(const Polyline& route, const std::vector<Sample>& samples, Metr
   m.crossTrackRms = Metres{cross.value()};
   m.crossTrackRmsOffCorners = Metres{crossOff.value()};
   m.reversals = reversals.count();
+  m.consistency = consistencyOf(nees);
   m.meanSpeedRatio =
       speedCount == 0 || asked.value() <= 0 ? 0 : speedSum / static_cast<double>(speedCount) / asked.value();
   m.duration = last - first;

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "app/experiment/consistency.h"
 #include "app/experiment/samples.h"
 #include "base/polyline.h"
 
@@ -21,6 +22,7 @@ struct Metrics {
   double meanSpeedRatio = 0;  ///< true mean speed over the speed asked, `cornerMargin` away from vertices and ends
   Seconds duration;           ///< from the first tick under orders to the last
   Metres endError;            ///< from the true last place to the route's end
+  Consistency consistency;    ///< of the ticks at which it was located
   double locatedShare = 0;    ///< ticks at which the locator called the vehicle located
   std::size_t samples = 0;
 };

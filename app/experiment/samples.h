@@ -1,6 +1,7 @@
 // What an experiment records: at each tick of the supervisor what it believed and ordered, beside what was true.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct Belief {
   Seconds at;
   Pose pose;
   bool located = false;
+  std::array<double, 3> doubt{};  ///< variances of x and y and their covariance, m², as the locator claims them
   MetresPerSecond commandSpeed;
   Radians commandHeading;
   bool driving = false;  ///< under orders on the route, i.e. begun and not yet finished

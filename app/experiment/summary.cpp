@@ -42,6 +42,11 @@ nlohmann::json toJson(const Metrics& m, bool finished) {
           {"mean_speed_ratio", m.meanSpeedRatio},
           {"end_error_m", m.endError.value()},
           {"located_share", m.locatedShare},
+          {"nees_mean", m.consistency.neesMean},
+          {"nees_low", m.consistency.low},
+          {"nees_high", m.consistency.high},
+          {"nees_independent_samples", m.consistency.independent},
+          {"consistent", m.consistency.holds()},
           {"samples", m.samples}};
 }
 

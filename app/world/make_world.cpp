@@ -19,7 +19,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr Metres kRoomMargin{1.0};           // from the floor's edge to the hall's walls
+constexpr Metres kRoomMargin{1.0};  // from the floor's edge to the hall's walls
+constexpr Metres kReaderGap{0.10};
+constexpr Metres kReaderRow{0.30};           // the longest row of readers
+constexpr Metres kReaderNose{0.15};          // before the middle of the wheels
 constexpr Metres kExtentUnknown{0.25};       // of a vehicle without a footprint
 constexpr std::uint64_t kSpotSeed = 0x5907;  // spots belong to the floor, but differ from run to run by the seed
 
@@ -43,19 +46,6 @@ Result<void> writeImage(const std::string& path, const sim::EepromImage& image) 
   if (file) fs::rename(fresh, path, failed);
   if (!file || failed) return failure("Cannot write the EEPROM file " + path + ".");
   return {};
-}
-
-sim::BodyParameters bodyFor(const floor::VehicleSetup& setup, const WorldOptions& o) {
-  sim::BodyParameters body = sim::bodyParametersFor(setup);
-  if (o.poll) body.readers.pollPeriod = Seconds{*o.poll};
-  if (o.readTime) body.readers.readTime = Seconds{*o.readTime};
-  if (o.detection) body.readers.detection = *o.detection;
-  if (o.radius) body.readers.radius = Metres{*o.radius};
-  if (o.slip) body.plant.slip = *o.slip;
-  // A sample's noise of n on one axis turns the field of strength B by n/B.
-  if (o.compassNoise) body.compass.noise = sim::kEarthHorizontal * fromDegrees(*o.compassNoise).value();
-  if (o.compassBias) body.compass.bias = fromDegrees(*o.compassBias);
-  return body;
 }
 
 Metres extentOf(const floor::VehicleSetup& setup) {
@@ -89,7 +79,7 @@ public:
   Maker(const WorldOptions& options, floor::Site site) : options_{options}, site_{std::move(site)} {}
 
   Result<MadeWorld> make(Seconds start) {
-    if (options_.airRate) site_.radio.airRate = *options_.airRate;
+    applyTo(site_, options_);
     auto map = floor::SiteMap::build(site_);
     if (!map) return tl::unexpected{map.error()};
     map_ = *map;
@@ -207,6 +197,33 @@ private:
 };
 
 }  // namespace
+
+void applyTo(floor::Site& site, const WorldOptions& options) {
+  if (options.airRate) site.radio.airRate = *options.airRate;
+  if (!options.readers) return;
+  const unsigned count = *options.readers;
+  // 10 cm apart as on the publication's vehicle, closer where the row would stand out beyond its sides.
+  const Metres gap = count > 1 ? std::min(kReaderGap, kReaderRow / (count - 1.0)) : Metres{};
+  for (floor::VehicleSetup& vehicle : site.vehicles) {
+    const Metres nose = vehicle.readers.empty() ? kReaderNose : vehicle.readers.front().x;
+    vehicle.readers.clear();
+    for (unsigned i = 0; i < count; ++i) vehicle.readers.push_back({nose, gap * (0.5 * (count - 1.0) - i)});
+  }
+}
+
+sim::BodyParameters bodyFor(const floor::VehicleSetup& setup, const WorldOptions& o) {
+  sim::BodyParameters body = sim::bodyParametersFor(setup);
+  if (o.poll) body.readers.pollPeriod = Seconds{*o.poll};
+  if (o.readTime) body.readers.readTime = Seconds{*o.readTime};
+  if (o.detection) body.readers.detection = *o.detection;
+  if (o.radius) body.readers.radius = Metres{*o.radius};
+  if (o.slip) body.plant.slip = *o.slip;
+  if (o.speedNoise) body.plant.speedNoise = *o.speedNoise;
+  // A sample's noise of n on one axis turns the field of strength B by n/B.
+  if (o.compassNoise) body.compass.noise = sim::kEarthHorizontal * fromDegrees(*o.compassNoise).value();
+  if (o.compassBias) body.compass.bias = fromDegrees(*o.compassBias);
+  return body;
+}
 
 Result<TemporaryFolder> TemporaryFolder::make() {
   std::error_code failed;

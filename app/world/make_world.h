@@ -46,6 +46,11 @@ struct MadeWorld {
   Result<void> saveEeproms() const;
 };
 
+/// The site as the options have it: radio and readers. World and supervisor must be told the same.
+void applyTo(floor::Site& site, const WorldOptions& options);
+/// How well a vehicle's parts work under these options.
+[[nodiscard]] sim::BodyParameters bodyFor(const floor::VehicleSetup& setup, const WorldOptions& options);
+
 /// The world's clock begins at `start`. Vehicles are not yet switched on: World::startAll(). A vehicle without a file
 /// in the EEPROM folder is set up anew, which takes a moment for each (its compass is calibrated on a bench in virtual
 /// time). Error: a sentence that names the file, vehicle or option concerned.

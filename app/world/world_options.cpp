@@ -24,7 +24,7 @@ void addWorldConditions(CLI::App& app, WorldOptions& o) {
   app.add_option("--seed", o.seed, "Chance of the whole world; the same seed repeats a run of native vehicles exactly")
       ->group("World")
       ->capture_default_str();
-  app.add_option("--air-rate", o.airRate, "Air rate of all radios in bit/s (default: the site's)")
+  app.add_option("--air-rate,--air", o.airRate, "Air rate of all radios in bit/s (default: the site's)")
       ->group("World")
       ->check(CLI::IsMember{std::vector<double>{300, 1200, 2400, 4800, 9600, 19200}});
   app.add_option("--air-factor", o.airFactor, "Time on air over the formula's; 1 to 3.2 were seen in the field")
@@ -39,6 +39,10 @@ void addWorldConditions(CLI::App& app, WorldOptions& o) {
       ->group("World")
       ->check(CLI::Range{0.0, 10.0})
       ->capture_default_str();
+  app.add_option("--readers", o.readers,
+                 "Every vehicle has so many RFID readers in a row across its nose (default: as the site says)")
+      ->group("World")
+      ->check(CLI::Range{1U, 8U});
   app.add_option("--poll", o.poll, "Seconds between two attempts of an RFID reader (default 0.1)")
       ->group("World")
       ->check(CLI::Range{0.005, 10.0});
@@ -52,6 +56,10 @@ void addWorldConditions(CLI::App& app, WorldOptions& o) {
       ->group("World")
       ->check(CLI::Range{0.005, 0.5});
   app.add_option("--slip", o.slip, "Mean share of the way that wheels lose at full duty (default 0)")
+      ->group("World")
+      ->check(CLI::Range{0.0, 0.5});
+  app.add_option("--speed-noise", o.speedNoise,
+                 "Standard deviation of a wandering slip of both wheels, a share (default 0)")
       ->group("World")
       ->check(CLI::Range{0.0, 0.5});
   app.add_option("--compass-noise", o.compassNoise, "Standard deviation of one sample in degrees (default 0.6)")
@@ -125,11 +133,13 @@ std::vector<std::string> worldArguments(const WorldOptions& o) {
   number("--air-factor", o.airFactor);
   number("--loss", o.loss);
   number("--delay", o.delay);
+  if (o.readers) add("--readers", std::to_string(*o.readers));
   maybe("--poll", o.poll);
   maybe("--read-time", o.readTime);
   maybe("--detection", o.detection);
   maybe("--radius", o.radius);
   maybe("--slip", o.slip);
+  maybe("--speed-noise", o.speedNoise);
   maybe("--compass-noise", o.compassNoise);
   maybe("--compass-bias", o.compassBias);
   maybe("--compass-spots", o.compassSpots);

@@ -6,12 +6,13 @@
 #include <string>
 
 #include "locate/kalman_locator.h"
+#include "locate/particle_locator.h"
 #include "locate/tag_centre_locator.h"
 
 namespace tessera::locate {
 namespace {
 
-constexpr std::array<std::string_view, 2> kNames{KalmanLocator::kName, TagCentreLocator::kName};
+constexpr std::array<std::string_view, 3> kNames{KalmanLocator::kName, ParticleLocator::kName, TagCentreLocator::kName};
 
 }  // namespace
 
@@ -33,6 +34,7 @@ Result<std::unique_ptr<Locator>> makeLocator(std::string_view name, std::shared_
   if (!(vehicle.readerRadius > Metres{0.0} && vehicle.readerRadius < Metres{1.0}))
     return failure(who + " has a reader radius that is not between 0 and 1 m.");
   if (name == KalmanLocator::kName) return std::make_unique<KalmanLocator>(std::move(map), vehicle);
+  if (name == ParticleLocator::kName) return std::make_unique<ParticleLocator>(std::move(map), vehicle);
   if (name == TagCentreLocator::kName) return std::make_unique<TagCentreLocator>(std::move(map), vehicle);
   std::string known;
   for (std::string_view n : kNames) known += (known.empty() ? "" : ", ") + std::string{n};

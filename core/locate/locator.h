@@ -48,6 +48,12 @@ public:
   virtual void add(const Motion& motion) = 0;
   virtual void add(const TagRead& read) = 0;
   virtual void add(const TagLeft& left) = 0;
+  /// Every tag event between the two instants has been passed on: what was not read then was not read. A locator may
+  /// take that silence as evidence, or not.
+  virtual void told(Seconds from, Seconds until) {
+    static_cast<void>(from);
+    static_cast<void>(until);
+  }
   /// The estimate at an instant: between motions by interpolation, after the last one by dead reckoning at its speed
   /// and turn rate for kMaxCoast at most. For control, ask at(lastMotion()) and let drive::predict roll it forward:
   /// that knows the commands given since.

@@ -46,12 +46,19 @@ double Plant::groundSpeed(Wheel& wheel, double dt) {
   const double keep = std::exp(-dt / parameters_.slipMemory.value());
   wheel.slip = keep * wheel.slip + random_.normal(parameters_.slipWander * std::sqrt(1.0 - keep * keep));
   const double share = std::abs(wheel.surfaceSpeed) / parameters_.speedAtFullDuty.value();
-  return wheel.surfaceSpeed * (1.0 - parameters_.slip * share + wheel.slip);
+  return wheel.surfaceSpeed * (1.0 - parameters_.slip * share + wheel.slip + commonSlip_);
+}
+
+void Plant::wander(double dt) {
+  if (parameters_.speedNoise == 0.0) return;  // and no random number is drawn: other runs stay as they are
+  const double keep = std::exp(-dt / parameters_.slipMemory.value());
+  commonSlip_ = keep * commonSlip_ + random_.normal(parameters_.speedNoise * std::sqrt(1.0 - keep * keep));
 }
 
 void Plant::step(Seconds dt, const std::array<int, 2>& duty, double volts) {
   std::array<double, 2> speed{};
   std::array<double, 2> way{};
+  wander(dt.value());
   for (std::size_t i = 0; i < wheels_.size(); ++i) {
     Wheel& wheel = wheels_[i];
     drive(wheel, dt.value(), duty[i], volts);

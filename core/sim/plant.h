@@ -26,7 +26,8 @@ struct PlantParameters {
   double scaleDifference = 0.003;         ///< standard deviation of each wheel's own diameter error
   double slip = 0.0;                      ///< mean share of the way lost at full-duty speed, less when slower
   double slipWander = 0.02;               ///< standard deviation of each wheel's slowly changing slip
-  Seconds slipMemory{0.5};                ///< its correlation time
+  double speedNoise = 0.0;                ///< the same of both wheels together: a floor that gives way, wet tyres
+  Seconds slipMemory{0.5};                ///< correlation time of both
   double wayNoise = 0.003;                ///< m, standard deviation of each wheel's way after one metre
 };
 
@@ -66,11 +67,13 @@ private:
   };
   void drive(Wheel& wheel, double dt, int duty, double volts) const;
   double groundSpeed(Wheel& wheel, double dt);
+  void wander(double dt);
 
   PlantParameters parameters_;
   Pose pose_;
   RandomStream random_;
   std::array<Wheel, 2> wheels_;
+  double commonSlip_ = 0.0;
   MetresPerSecond speed_;
   RadiansPerSecond turnRate_;
 };

@@ -200,11 +200,16 @@ VehicleView VehicleAgent::view(Seconds now, const PortView& port, const link::Li
   v.task = task_;
   v.firmware = firmware_;
   v.located = estimate_.located && last_.has_value();
-  v.pose = last_ ? stateAt(now).pose : estimate_.pose;
+  const drive::VehicleState rolled = last_ ? stateAt(now) : state();
+  v.pose = rolled.pose;
   v.predicted = predicted_;
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)
       v.covariance[static_cast<std::size_t>(3 * row + column)] = estimate_.covariance(row, column);
+  // What was rolled on since the last report is known a little less.
+  const double more = (rolled.sigma - estimate_.positionSigma()).value();
+  v.covariance[0] += more * more;
+  v.covariance[4] += more * more;
   if (last_) {
     const wire::Report& report = last_->report;
     v.state = report.state;

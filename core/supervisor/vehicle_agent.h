@@ -80,6 +80,7 @@ private:
   void refuse(EventLog& log, const Sentence& why) const;
   void inTouch(EventLog& log);
   void takeTags(const link::Reported& e, EventLog& log);
+  void tellSilence(const link::Reported& e);
   void watchState(Seconds now, EventLog& log);
   void watchPlace(EventLog& log);
   [[nodiscard]] Radians reportedHeading() const;
@@ -113,6 +114,7 @@ private:
   std::optional<drive::Decision> decision_;
   std::optional<drive::Command> wished_;  ///< what a Drive that leaves now says
   Pose predicted_;
+  Seconds toldUntil_;  ///< every tag event before has been passed to the locator
   std::uint32_t reads_ = 0;
   std::vector<ReadView> recentReads_;
 

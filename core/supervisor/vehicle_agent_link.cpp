@@ -16,6 +16,7 @@ EventKind kindOf(std::uint16_t fault) {
 
 using Change = Episode::Change;
 
+constexpr std::size_t kLargestEvent = 12;     // bytes; what has no room for it may have left something out
 constexpr std::size_t kMaxUnknownTags = 100;  // told by name; more are a floor that was not registered
 
 Sentence hardwareText(std::uint8_t hardware) {
@@ -184,6 +185,7 @@ void VehicleAgent::take(const link::Reported& e, EventLog& log) {
                            reportedHeading()};
   locator_->add(*motion_);
   takeTags(e, log);
+  tellSilence(e);
   estimate_ = locator_->at(locator_->lastMotion());
   watchPlace(log);
   watchState(e.receivedAt, log);
@@ -210,6 +212,17 @@ void VehicleAgent::takeTags(const link::Reported& e, EventLog& log) {
       log.tell(Severity::Warning, EventKind::UnknownTag, id(),
                phrase("Core", "%1 read the tag %2, which the site does not have.").with(name_, uid->text()));
   }
+}
+
+// Events are numbered and come in their order, so what a report does not tell has not happened.
+void VehicleAgent::tellSilence(const link::Reported& e) {
+  std::size_t used = 0;
+  for (std::size_t i = 0; i < e.report.eventCount; ++i) used += wire::wireSize(e.report.events[i]);
+  const bool all = used + kLargestEvent <= wire::Report::kEventRoom;
+  const Seconds until = all ? e.sampledAt : (e.tags.empty() ? toldUntil_ : e.tags.back().at);
+  if (until <= toldUntil_) return;
+  locator_->told(e.tagEventsLost > 0 || toldUntil_ == Seconds{} ? until : toldUntil_, until);
+  toldUntil_ = until;
 }
 
 void VehicleAgent::watchPlace(EventLog& log) {

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
+#include "app/experiment/carried.h"
+
 namespace tessera::experiment {
 namespace {
 
@@ -108,6 +113,67 @@ TEST(TruthTrack, interpolatesHeadingsTheShortWayRound) {
   const TruthTrack track{{{Seconds{0}, {{}, Radians{3.1}}, {}}, {Seconds{1}, {{}, Radians{-3.1}}, {}}}};
   EXPECT_NEAR(std::abs(track.at(Seconds{0.5})->pose.heading.value()), kPi, 1e-9);
   EXPECT_FALSE(track.at(Seconds{1.5}).has_value());
+}
+
+// Ticks whose errors are as large as their covariances say, or `share` of that.
+std::vector<double> honest(double share) {
+  std::mt19937 random{7};
+  std::normal_distribution<double> normal;
+  std::vector<double> nees;
+  for (int i = 0; i < 500; ++i) {
+    Sample s;
+    s.belief.doubt = {4e-4, 1e-4, 1e-4};
+    // Of that covariance: x = 2 cm · a, y = 0.5 cm · a + √0.75 cm · b.
+    const double a = normal(random);
+    const double b = normal(random);
+    s.belief.pose.position = {Metres{share * 0.02 * a}, Metres{share * (0.005 * a + 0.01 * std::sqrt(0.75) * b)}};
+    nees.push_back(neesOf(s).value());
+  }
+  return nees;
+}
+
+TEST(Consistency, holdsForErrorsAsLargeAsClaimed) {
+  const Consistency c = consistencyOf(honest(1.0));
+  EXPECT_NEAR(c.neesMean, 2.0, 0.2);
+  EXPECT_GT(c.independent, 300.0);
+  EXPECT_TRUE(c.holds());
+  EXPECT_LT(c.low, 2.0);
+  EXPECT_GT(c.high, 2.0);
+}
+
+TEST(Consistency, isRefusedToThoseWhoClaimTooMuchOrTooLittle) {
+  EXPECT_FALSE(consistencyOf(honest(1.5)).holds());
+  EXPECT_FALSE(consistencyOf(honest(0.6)).holds());
+}
+
+TEST(Consistency, countsTicksThatRepeatEachOtherOnce) {
+  std::vector<double> repeated;
+  for (const double e : honest(1.0)) repeated.insert(repeated.end(), 10, e);
+  const Consistency c = consistencyOf(repeated);
+  EXPECT_GT(c.independent, 300.0);
+  EXPECT_LT(c.independent, 700.0);
+}
+
+TEST(Consistency, isNoneWithoutACovariance) {
+  EXPECT_FALSE(neesOf(Sample{}).has_value());
+  EXPECT_FALSE(consistencyOf({}).holds());
+}
+
+TEST(Carried, isFoundWhereTheErrorStaysSmallNotWhereItPassesThrough) {
+  auto samples = drive(0, 0, steady());
+  const auto off = [](Sample& s, double by) { s.belief.pose.position.y = Metres{by}; };
+  for (std::size_t i = 50; i < 120; ++i) off(samples[i], 0.5);
+  off(samples[80], 0.0);  // by chance, for one tick
+  const auto way = foundAfter(samples, Seconds{5.0});
+  ASSERT_TRUE(way.has_value());
+  EXPECT_NEAR(way->value(), 0.70, 1e-6);
+  EXPECT_NEAR(wronglySure(samples, Seconds{5.0}).value(), 6.9, 1e-6);
+}
+
+TEST(Carried, isNotFoundWhileItDoesNotSaySo) {
+  auto samples = drive(0, 0, steady());
+  for (Sample& s : samples) s.belief.located = false;
+  EXPECT_FALSE(foundAfter(samples, Seconds{5.0}).has_value());
 }
 
 }  // namespace

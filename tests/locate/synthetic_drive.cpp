@@ -16,6 +16,7 @@ using Observation = std::variant<locate::Motion, locate::TagRead, locate::TagLef
 
 struct Delivery {
   double at;
+  double made;
   std::vector<Observation> what;
 };
 
@@ -117,7 +118,7 @@ private:
     pending_.insert(pending_.begin(), motion);
     if (o_.shuffled) std::reverse(pending_.begin(), pending_.end());
     const bool late = o_.shuffled && ++reports_ % 3 == 0;
-    deliveries.push_back({now_ + o_.delay + (late ? 1.0 : 0.0), pending_});
+    deliveries.push_back({now_ + o_.delay + (late ? 1.0 : 0.0), now_, pending_});
     pending_.clear();
     truth[now_] = pose_;
   }
@@ -144,10 +145,15 @@ std::vector<Sample> drive(const floor::SiteMap& map, const floor::VehicleSetup& 
   world.run(vertices);
   std::stable_sort(world.deliveries.begin(), world.deliveries.end(),
                    [](const Delivery& a, const Delivery& b) { return a.at < b.at; });
+  // Silence is told only where every event arrives, and in its order.
+  const bool complete = options.lostEvents == 0.0 && !options.shuffled;
+  double toldUntil = 0.0;
   std::vector<Sample> samples;
   for (const Delivery& delivery : world.deliveries) {
     for (const Observation& observation : delivery.what)
       std::visit([&](const auto& o) { locator.add(o); }, observation);
+    if (complete) locator.told(Seconds{toldUntil}, Seconds{delivery.made});
+    toldUntil = delivery.made;
     const Seconds last = locator.lastMotion();
     if (const auto truth = world.truth.find(last.value()); truth != world.truth.end())
       samples.push_back({last.value(), truth->second, locator.at(last)});

@@ -1,0 +1,42 @@
+#include "app/experiment/carried.h"
+
+namespace tessera::experiment {
+namespace {
+
+constexpr Metres kWrong{0.10};
+
+Metres errorOf(const Sample& s) { return distance(s.belief.pose.position, s.truth.pose.position); }
+
+}  // namespace
+
+std::optional<Metres> foundAfter(const std::vector<Sample>& samples, Seconds at) {
+  Metres way;
+  std::optional<Metres> since;
+  Seconds from;
+  const Sample* before = nullptr;
+  for (const Sample& s : samples) {
+    if (s.belief.at < at) continue;
+    if (before != nullptr) way += distance(before->truth.pose.position, s.truth.pose.position);
+    before = &s;
+    if (!s.belief.located || errorOf(s) > kFoundWithin) {
+      since.reset();
+      continue;
+    }
+    if (!since) {
+      since = way;
+      from = s.belief.at;
+    }
+    if (s.belief.at - from >= kFoundFor) return since;
+  }
+  return std::nullopt;
+}
+
+Seconds wronglySure(const std::vector<Sample>& samples, Seconds at) {
+  Seconds total;
+  for (std::size_t i = 1; i < samples.size(); ++i)
+    if (samples[i].belief.at >= at && samples[i].belief.located && errorOf(samples[i]) > kWrong)
+      total += samples[i].belief.at - samples[i - 1].belief.at;
+  return total;
+}
+
+}  // namespace tessera::experiment

@@ -1,0 +1,94 @@
+// Monte Carlo localisation of one vehicle (Dellaert, Fox, Burgard, Thrun, "Monte Carlo localization for mobile robots",
+// ICRA 1999), with three additions that the tile floor asks for: a reader's silence counts as evidence, attempt by
+// attempt; what comes late is weighed against each particle's place back then; and a read that contradicts the picture
+// raises a rival belief that takes over when it explains more (the injection of Augmented MCL, "Probabilistic Robotics"
+// 8.3.5, kept apart so that it cannot blur the picture that the vehicle is led by).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "locate/locator.h"
+#include "locate/odometry.h"
+#include "locate/particle_cloud.h"
+#include "locate/poll_clock.h"
+#include "locate/tag_intake.h"
+
+namespace tessera::locate {
+
+class ParticleLocator final : public Locator {
+public:
+  static constexpr std::string_view kName = "particles";
+
+  ParticleLocator(std::shared_ptr<const floor::SiteMap> map, const floor::VehicleSetup& vehicle,
+                  const ParticleOptions& options = {});
+
+  void add(const Motion& motion) override;
+  void add(const TagRead& read) override;
+  void add(const TagLeft& left) override;
+  void told(Seconds from, Seconds until) override;
+  [[nodiscard]] Estimate at(Seconds now) const override;
+  [[nodiscard]] Seconds lastMotion() const override { return odometry_.last(); }
+  void reset(std::optional<Pose> pose) override;
+  [[nodiscard]] const LocatorCounters& counters() const override { return intake_.counters; }
+  [[nodiscard]] std::string_view name() const override { return kName; }
+  /// Places that are thought possible, for a picture.
+  [[nodiscard]] const ParticleCloud& cloud() const { return cloud_; }
+
+private:
+  /// What is known of one reader's doings, by its own attempts.
+  struct Watch {
+    bool holds = false;
+    bool trusted = false;  ///< its read was believed, so its leaving is believed too
+    Eigen::Vector2d tag = Eigen::Vector2d::Zero();
+    double came = 0.0;
+    std::optional<double> left;                            ///< told before the visit that it ends
+    double accounted = 0.0;                                ///< attempts up to here are accounted for
+    Eigen::Vector2d lastSilent = Eigen::Vector2d::Zero();  ///< odometer and heading at the last silent attempt weighed
+  };
+  struct Pending {
+    TagRead read;
+    Eigen::Vector2d tag;
+  };
+
+  bool usable(int reader, Seconds at);
+  void take(int reader, const Eigen::Vector2d& tag, double at);
+  void endVisit(int reader, double lastGood);
+  void silence(int reader, double attempt);
+  void contradicted(int reader, const Eigen::Vector2d& tag, double at);
+  /// What a read adds to lead_ that has these chances under the cloud and under the rival.
+  [[nodiscard]] static double leadOf(double chance, double other);
+  void judgeRival();
+  void startFrom(int reader, const Eigen::Vector2d& tag, double at);
+  void drawIn();
+  [[nodiscard]] ReaderThen readerThen(int reader, double at) const;
+  [[nodiscard]] bool standsSinceBelieved(double at) const;
+
+  TagIntake intake_;
+  std::shared_ptr<const floor::SiteMap> map_;
+  floor::VehicleSetup vehicle_;
+  ParticleOptions options_;
+  Odometry odometry_;
+  PollClock clock_;
+  ParticleCloud cloud_;
+  ParticleCloud rival_;
+  ParticleCloud::Moments moments_;  ///< of the cloud as it is now
+  std::vector<Watch> watches_;
+  std::vector<Pending> pending_;       ///< reads from before the first motion
+  std::vector<Eigen::Vector2d> near_;  ///< scratch
+  bool placed_ = false;
+  bool rivals_ = false;   ///< the rival stands for something
+  bool doubted_ = false;  ///< too many reads contradict, and they do not agree with each other
+  int rejectedInRow_ = 0;
+  Eigen::Vector2d rivalTag_ = Eigen::Vector2d::Zero();  ///< that raised it
+  int rivalReads_ = 0;                                  ///< that the rival explains; the one that raised it included
+  double lead_ = 0.0;            ///< log of how much better the cloud explains what came than the rival
+  double evidenceTravel_ = 0.0;  ///< odometer at the last read believed, or at the start
+  double firstMotion_ = 0.0;
+  double toldFrom_ = 0.0;   ///< every event since then ...
+  double toldUntil_ = 0.0;  ///< ... up to here has been told
+};
+
+}  // namespace tessera::locate
