@@ -61,7 +61,11 @@ Keeper::Keeper(ui::SiteDocument& document, ui::FleetLink& fleet, QObject* parent
           });
   connect(store_.get(), &store::StoreThread::requestFailed, this, [this](quint64 request, const Sentence& sentence) {
     if (request == page_) Q_EMIT dayFailed(ui::text(sentence));
+    Q_EMIT requestFailed(request, ui::text(sentence));
   });
+  connect(store_.get(), &store::StoreThread::recovered, this, &Keeper::recovered);
+  connect(store_.get(), &store::StoreThread::revisionsListed, this, &Keeper::revisionsListed);
+  connect(store_.get(), &store::StoreThread::revisionLoaded, this, &Keeper::revisionLoaded);
   store_->start();
   edits_.setSingleShot(true);
   edits_.setInterval(kRestMs);
@@ -173,6 +177,13 @@ void Keeper::takePage(const store::JournalPage& page) {
   day_.beforeId = page.entries.back().id;
   askForPage();
 }
+
+void Keeper::addRevision(const store::RevisionNote& note) {
+  if (!key_.empty()) store_->addRevision(key_, document_.map(), note);
+}
+
+quint64 Keeper::listRevisions() { return store_->listRevisions(key_); }
+quint64 Keeper::loadRevision(qint64 id) { return store_->loadRevision(id); }
 
 bool Keeper::close() {
   if (edits_.isActive()) keepSite(document_.isModified());

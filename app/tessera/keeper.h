@@ -53,6 +53,11 @@ public:
   void loadHistory();
   /// Asks for a day of the journal, which comes with dayRead() page by page, unless another one is asked for.
   void readDay(const ui::JournalDay& day);
+  /// The open site as it stands now becomes a revision of its file.
+  void addRevision(const store::RevisionNote& note);
+  /// Each gives the number under which its answer comes; 0: it cannot be asked just now.
+  quint64 listRevisions();
+  quint64 loadRevision(qint64 id);
   /// Writes what waits. False: not all could be written.
   bool close();
 
@@ -66,6 +71,11 @@ Q_SIGNALS:
   /// Complete sentences.
   void dayFailed(const QString& sentence);
   void failed(const QString& sentence);
+  /// What could not be written is written now.
+  void recovered();
+  void revisionsListed(quint64 request, const std::vector<tessera::store::Revision>& revisions);
+  void revisionLoaded(quint64 request, const std::shared_ptr<const tessera::floor::SiteMap>& map);
+  void requestFailed(quint64 request, const QString& sentence);
 
 private:
   void keepSite(bool differsFromFile);

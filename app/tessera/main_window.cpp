@@ -18,6 +18,7 @@
 #include "app/tessera/fleet_session.h"
 #include "app/tessera/keeper.h"
 #include "app/tessera/register_desk.h"
+#include "app/tessera/revision_desk.h"
 #include "app/tessera/site_files.h"
 #include "app/tessera/window_actions.h"
 #include "app/tessera/window_panels.h"
@@ -56,6 +57,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow{parent} {
   joinFleet();
   joinActions();
   joinRegister();
+  joinRevisions();
   joinPanels();
   joinLooking();
   joinTiles();
@@ -69,6 +71,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow{parent} {
 MainWindow::~MainWindow() {
   session_->close();
   register_.reset();  // it asks the keeper
+  revisions_.reset();
   // Whatever looks at the document goes before it, what is still to be kept first of all.
   delete keeper_;
   document_.disconnect(this);

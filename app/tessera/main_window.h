@@ -39,6 +39,7 @@ class ExchangeFiles;
 class FleetSession;
 class Keeper;
 class RegisterDesk;
+class RevisionDesk;
 class SiteFiles;
 class WindowActions;
 class WindowPanels;
@@ -94,6 +95,7 @@ private:
   void joinFaults();
   void showFaults();
   void joinRegister();
+  void joinRevisions();
   void layTiles();
   void editTileTypes();
   void joinTiles();
@@ -126,6 +128,7 @@ private:
   ExchangeFiles* exchange_ = nullptr;
   std::unique_ptr<ui::ZoneTool> zoneTool_;
   std::unique_ptr<RegisterDesk> register_;
+  std::unique_ptr<RevisionDesk> revisions_;
   std::unique_ptr<ui::LayTool> layTool_;
   WindowPanels* panels_;
   ui::StopAllButton* stopAll_;

@@ -34,6 +34,10 @@ public:
   void addRecent(const QString& path);
   void forgetRecent(const QString& path);
 
+  /// Under which name sites are saved; empty: as the system calls the person.
+  [[nodiscard]] QString author() const { return store_.value("author").toString(); }
+  void setAuthor(const QString& name) { store_.setValue("author", name); }
+
   [[nodiscard]] ui::ConnectionChoice connection() const;
   void setConnection(const ui::ConnectionChoice& choice);
 

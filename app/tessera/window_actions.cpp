@@ -61,6 +61,7 @@ void WindowActions::makeAll() {
   editZones = make("editZones", "zone", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_E}, true);
   drawZone = make("drawZone", "draw-zone", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_R}, true);
   showFaults = make("showFaults", "check", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_F});
+  showRevisions = make("showRevisions", "revisions", QKeySequence{Qt::CTRL | Qt::Key_H});
   registerTags = make("registerTags", "tag", QKeySequence{Qt::CTRL | Qt::Key_T}, true);
   layTiles = make("layTiles", "tile", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_T}, true);
   tileTypes = make("tileTypes", "grid");
@@ -86,7 +87,7 @@ void WindowActions::fillMenus(QMainWindow& window) {
   site_->addSeparator();
   site_->addActions({importFile, exportFile, mapPicture});
   site_->addSeparator();
-  site_->addAction(showFaults);
+  site_->addActions({showFaults, showRevisions});
   site_->addSeparator();
   site_->addAction(quit);
   edit_ = bar->addMenu(QString{});

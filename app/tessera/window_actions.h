@@ -27,7 +27,7 @@ public:
   QAction *find, *measure;
   QAction *zoomIn, *zoomOut, *fit, *follow, *tags, *zones, *trails, *uncertainty, *grid, *faults;
   QAction *drawRoute, *editRoutes, *layTiles, *tileTypes, *browse;
-  QAction *drawZone, *editZones, *showFaults;
+  QAction *drawZone, *editZones, *showFaults, *showRevisions;
   QAction* registerTags;
   QAction *connectPort, *disconnectPort, *radio;
   QAction *commission, *editVehicle, *jog, *stopAll;

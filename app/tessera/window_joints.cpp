@@ -204,12 +204,13 @@ void MainWindow::joinPanels() {
 void MainWindow::showSite() {
   centre_->setCurrentIndex(open_ ? centre_->indexOf(canvas_) : 0);
   panels_->setShown(open_);
-  for (QAction* action :
-       {actions_->importFile, actions_->exportFile,  actions_->mapPicture, actions_->find,         actions_->measure,
-        actions_->save,       actions_->saveAs,      actions_->rename,     actions_->zoomIn,       actions_->zoomOut,
-        actions_->fit,        actions_->follow,      actions_->browse,     actions_->editRoutes,   actions_->drawRoute,
-        actions_->editZones,  actions_->drawZone,    actions_->showFaults, actions_->registerTags, actions_->layTiles,
-        actions_->tileTypes,  actions_->connectPort, actions_->radio,      actions_->commission,   actions_->jog})
+  for (QAction* action : {actions_->importFile, actions_->exportFile, actions_->mapPicture,    actions_->find,
+                          actions_->measure,    actions_->save,       actions_->saveAs,        actions_->rename,
+                          actions_->zoomIn,     actions_->zoomOut,    actions_->fit,           actions_->follow,
+                          actions_->browse,     actions_->editRoutes, actions_->drawRoute,     actions_->editZones,
+                          actions_->drawZone,   actions_->showFaults, actions_->showRevisions, actions_->registerTags,
+                          actions_->layTiles,   actions_->tileTypes,  actions_->connectPort,   actions_->radio,
+                          actions_->commission, actions_->jog})
     action->setEnabled(open_);
   actions_->editVehicle->setEnabled(open_ && selection_.vehicle().has_value());
   faults_->setVisible(open_);

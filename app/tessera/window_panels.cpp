@@ -65,11 +65,13 @@ QDockWidget* WindowPanels::add(QMainWindow& window, const char* name, const char
   return dock;
 }
 
-QDockWidget* WindowPanels::addTool(QMainWindow& window, const char* name, const char* topic, QWidget* content) {
-  auto* dock = add(window, name, topic, Qt::RightDockWidgetArea, content);
+QDockWidget* WindowPanels::addTool(QMainWindow& window, const char* name, const char* topic, QWidget* content,
+                                   const char* beside) {
+  auto* neighbour = window.findChild<QDockWidget*>(QString::fromLatin1(beside));
+  auto* dock = add(window, name, topic, window.dockWidgetArea(neighbour), content);
   dock->setWindowTitle(content->windowTitle());
   connect(content, &QWidget::windowTitleChanged, dock, &QWidget::setWindowTitle);
-  window.tabifyDockWidget(window.findChild<QDockWidget*>(QStringLiteral("routesDock")), dock);
+  window.tabifyDockWidget(neighbour, dock);
   dock->hide();
   return dock;
 }

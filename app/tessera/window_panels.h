@@ -44,9 +44,10 @@ public:
   ui::ZonePanel* zones;
   ui::FaultPanel* faults;
 
-  /// The panel of a tool: a tab beside the routes, hidden until the tool is chosen. Its title is the content's window
-  /// title.
-  QDockWidget* addTool(QMainWindow& window, const char* name, const char* topic, QWidget* content);
+  /// The panel of a tool: a tab beside the routes, or another dock, hidden until the tool is chosen. Its title is the
+  /// content's window title.
+  QDockWidget* addTool(QMainWindow& window, const char* name, const char* topic, QWidget* content,
+                       const char* beside = "routesDock");
   [[nodiscard]] const std::vector<QDockWidget*>& docks() const { return docks_; }
   /// Shown together with the floor, hidden behind the start page.
   void setShown(bool shown);

@@ -50,6 +50,7 @@ void WindowActions::retranslate() {
   editZones->setText(tr("Change &zones"));
   drawZone->setText(tr("Draw a z&one"));
   showFaults->setText(tr("&Faults of the site"));
+  showRevisions->setText(tr("Re&visions"));
   registerTags->setText(tr("Register &tags…"));
   layTiles->setText(tr("Lay t&iles"));
   tileTypes->setText(tr("Tile t&ypes…"));

@@ -5173,13 +5173,13 @@ x %2 m，y %3 m</translation>
     <message numerus="yes">
         <source>%n tile(s) taken up</source>
         <translation>
-            <numerusform>取走 %n 块地板砖</numerusform>
+            <numerusform>撤去 %n 块地板砖</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n tag(s)</source>
         <translation>
-            <numerusform>%n 个标签</numerusform>
+            <numerusform>%n 个电子标签</numerusform>
         </translation>
     </message>
     <message numerus="yes">

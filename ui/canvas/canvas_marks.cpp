@@ -1,4 +1,4 @@
-// Marks of faults on the canvas, and how it goes to a place.
+// Marks of faults and of differences on the canvas, and how it goes to a place.
 #include <algorithm>
 
 #include "ui/canvas/floor_canvas.h"
@@ -15,6 +15,12 @@ void FloorCanvas::setMarks(std::vector<FloorMark> marks, std::optional<std::size
   if (marks == marks_ && chosen == chosenMark_) return;
   marks_ = std::move(marks);
   chosenMark_ = chosen;
+  update();
+}
+
+void FloorCanvas::setChanges(ChangeMarks changes) {
+  if (changes.empty() && changes_.empty()) return;
+  changes_ = std::move(changes);
   update();
 }
 

@@ -82,6 +82,7 @@ void FloorCanvas::paintEvent(QPaintEvent* event) {
     paintRulers(painter, view_, theme_);
   paintScaleBar(painter, view_, theme_);
   paintNorthArrow(painter, view_, theme_, map_->site().northToY);
+  if (!changes_.empty()) paintChangeLegend(painter, view_, theme_, changes_);
 }
 
 void FloorCanvas::paintLive(QPainter& painter, const QRegion& region) {
@@ -107,6 +108,11 @@ void FloorCanvas::paintLive(QPainter& painter, const QRegion& region) {
   }
   for (const VehicleMark& mark : seen) sprites_.paintLabel(painter, view_, theme_, mark);
   if (sprites_.isPending()) drawing_.start();
+  if (!changes_.empty()) {
+    painter.save();
+    paintChanges(painter, view_, theme_, changes_);
+    painter.restore();
+  }
   if (layers_.faults && !marks_.empty()) {
     painter.save();
     paintMarks(painter, view_, theme_, marks_, chosenMark_);

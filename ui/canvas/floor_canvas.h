@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "ui/canvas/canvas_tool.h"
+#include "ui/canvas/change_marks.h"
 #include "ui/canvas/fleet_layer.h"
 #include "ui/canvas/floor_marks.h"
 #include "ui/canvas/ground_layer.h"
@@ -35,6 +36,9 @@ public:
   /// What is wrong on the floor, and which of it is looked at.
   void setMarks(std::vector<FloorMark> marks, std::optional<std::size_t> chosen);
   [[nodiscard]] const std::vector<FloorMark>& marked() const { return marks_; }
+  /// What differs from another state of the site, drawn upon this one; empty: nothing is compared.
+  void setChanges(ChangeMarks changes);
+  [[nodiscard]] const ChangeMarks& changes() const { return changes_; }
   /// Nullptr: none. The canvas does not own it.
   void setTool(CanvasTool* tool);
   [[nodiscard]] CanvasTool* tool() const { return tool_; }
@@ -134,6 +138,7 @@ private:
   VehicleSprites sprites_;
   std::vector<FloorMark> marks_;
   std::optional<std::size_t> chosenMark_;
+  ChangeMarks changes_;
   QPointer<CanvasTool> tool_;
   std::optional<VehicleId> vehicle_;
   QString route_;

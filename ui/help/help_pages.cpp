@@ -24,7 +24,7 @@ const std::vector<QString>& HelpPages::topics() {
   static const std::vector<QString> kTopics{"start",    "floor",          "tiles",    "zones",         "checking",
                                             "routes",   "registering",    "vehicles", "running",       "charts",
                                             "events",   "connecting",     "radio",    "commissioning", "exchange",
-                                            "keyboard", "troubleshooting"};
+                                            "revisions", "keyboard", "troubleshooting"};
   return kTopics;
 }
 

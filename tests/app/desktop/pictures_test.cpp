@@ -194,6 +194,31 @@ TEST_F(Pictures, showRegisteringWhole) {
   }
 }
 
+TEST_F(Pictures, showRevisionsWhole) {
+  ASSERT_NO_FATAL_FAILURE(openWindow(false));
+  ASSERT_TRUE(window->files().openDemo());
+  auto* table = find<QAbstractItemView>("revisionTable");
+  auto* list = find<QAbstractItemView>("revisionDifferences");
+  ASSERT_TRUE(until([&] { return table->model()->rowCount() == 1; }));
+  // Something of each kind: a tile gone, one elsewhere, a route come, a zone's speed.
+  ASSERT_TRUE(window->document().edit("Take up and move tiles", [](floor::Site& site) {
+    site.placements.erase(site.placements.begin(), site.placements.begin() + 2);
+    site.placements.back().origin = site.placements.back().origin + Offset{Metres{1.2}, Metres{0.4}};
+    site.tiles.at(4).uids.at(0) = {};
+    site.routes.push_back({"round", {{Metres{0.3}, Metres{1.6}}, {Metres{2.0}, Metres{1.6}}}, Metres{0.2}});
+  }));
+  trigger("save");
+  ASSERT_TRUE(until([&] { return table->model()->rowCount() == 2; }));
+  trigger("showRevisions");
+  table->setCurrentIndex(table->model()->index(1, 0));
+  ASSERT_TRUE(until([&] { return list->model()->rowCount() > 3; }));
+  list->setCurrentIndex(list->model()->index(0, 0));
+  for (const Dress& dress : kDresses) {
+    wear(dress);
+    take(*window, QStringLiteral("revisions"), dress);
+  }
+}
+
 TEST_F(Pictures, showTheDialoguesWhole) {
   ASSERT_NO_FATAL_FAILURE(openWindow(false));
   ASSERT_TRUE(window->files().openDemo());
