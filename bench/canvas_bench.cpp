@@ -1,6 +1,7 @@
 // How long a frame of the floor takes, and how long an edit: 1600 x 900 pixels drawn by the processor alone, floors of
 // 2,500 to a million tags, 3 and 100 vehicles with a minute's trail each. Prints a table, judges nothing.
 #include <QApplication>
+#include <QBuffer>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QImage>
@@ -130,9 +131,30 @@ void row(int tags, int vehicles, const char* what, const Times& times) {
   std::fflush(stdout);
 }
 
-void measure(int tags, int vehicles) {
+// A drawing of 24 million pixels, a little larger than the floor and askew.
+floor::Backdrop planUnder(const floor::Site& site) {
+  QImage image{6000, 4000, QImage::Format_RGB32};
+  image.fill(Qt::white);
+  QPainter painter{&image};
+  for (int n = 0; n < 300; ++n) painter.drawRect(n * 20, n * 13, 400, 300);
+  painter.end();
+  QBuffer bytes;
+  bytes.open(QIODevice::WriteOnly);
+  image.save(&bytes, "PNG");
+  const double width = site.placements.back().origin.y.value() * 16.0 / 9.0 + 5.0;
+  return {"plan.png",
+          std::make_shared<const std::string>(bytes.data().toStdString()),
+          {},
+          Metres{width / 6000},
+          fromDegrees(5),
+          0.5};
+}
+
+void measure(int tags, int vehicles, bool plan = false) {
   ui::SiteDocument document;
-  document.replace(floor::SiteMap::build(siteOf(tags, vehicles)).value(), {});
+  floor::Site whole = siteOf(tags, vehicles);
+  if (plan) whole.backdrop = planUnder(whole);
+  document.replace(floor::SiteMap::build(std::move(whole)).value(), {});
   const floor::Site& site = document.site();
   ui::FloorCanvas canvas;
   canvas.resize(1600, 900);
@@ -219,9 +241,9 @@ int main(int argc, char** argv) {
               qPrintable(QSysInfo::prettyProductName()), qVersion(), kSeed, application.devicePixelRatio());
   std::printf("|      tags | veh | frame, ms                  | CPU p50 | CPU p95 |     p50 |     p95 |\n");
   std::printf("| --------: | --: | -------------------------- | ------: | ------: | ------: | ------: |\n");
-  // Of all sizes, or of the one that is asked for: bench_canvas TAGS VEHICLES
-  if (argc == 3) {
-    measure(std::atoi(argv[1]), std::atoi(argv[2]));
+  // Of all sizes, or of the one that is asked for: bench_canvas TAGS VEHICLES [plan]
+  if (argc == 3 || argc == 4) {
+    measure(std::atoi(argv[1]), std::atoi(argv[2]), argc == 4);
     return 0;
   }
   for (const int tags : {2'500, 40'000, 1'000'000}) {

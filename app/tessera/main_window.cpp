@@ -15,6 +15,7 @@
 #include <QToolButton>
 #include <iostream>
 
+#include "app/tessera/backdrop_desk.h"
 #include "app/tessera/fleet_session.h"
 #include "app/tessera/keeper.h"
 #include "app/tessera/register_desk.h"
@@ -58,6 +59,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow{parent} {
   joinActions();
   joinRegister();
   joinRevisions();
+  joinBackdrop();
   joinPanels();
   joinLooking();
   joinTiles();
@@ -72,6 +74,7 @@ MainWindow::~MainWindow() {
   session_->close();
   register_.reset();  // it asks the keeper
   revisions_.reset();
+  backdrop_.reset();
   // Whatever looks at the document goes before it, what is still to be kept first of all.
   delete keeper_;
   document_.disconnect(this);

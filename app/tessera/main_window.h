@@ -35,6 +35,7 @@ class ZoneTool;
 
 namespace tessera::desktop {
 
+class BackdropDesk;
 class ExchangeFiles;
 class FleetSession;
 class Keeper;
@@ -56,6 +57,7 @@ public:
   [[nodiscard]] SiteFiles& files() { return *files_; }
   [[nodiscard]] ui::FloorCanvas& canvas() { return *canvas_; }
   [[nodiscard]] RegisterDesk& registerDesk() { return *register_; }
+  [[nodiscard]] BackdropDesk& floorPlan() { return *backdrop_; }
   [[nodiscard]] Keeper& keeper() { return *keeper_; }
 
   /// Window, panels, language and appearance as they were.
@@ -96,6 +98,7 @@ private:
   void showFaults();
   void joinRegister();
   void joinRevisions();
+  void joinBackdrop();
   void layTiles();
   void editTileTypes();
   void joinTiles();
@@ -129,6 +132,7 @@ private:
   std::unique_ptr<ui::ZoneTool> zoneTool_;
   std::unique_ptr<RegisterDesk> register_;
   std::unique_ptr<RevisionDesk> revisions_;
+  std::unique_ptr<BackdropDesk> backdrop_;
   std::unique_ptr<ui::LayTool> layTool_;
   WindowPanels* panels_;
   ui::StopAllButton* stopAll_;

@@ -49,6 +49,7 @@ void WindowActions::makeAll() {
   zoomOut = make("zoomOut", "zoom-out", QKeySequence::ZoomOut);
   fit = make("fit", "fit", QKeySequence{Qt::CTRL | Qt::Key_0});
   follow = make("follow", "follow", QKeySequence{Qt::CTRL | Qt::Key_L}, true);
+  backdrop = make("layerBackdrop", nullptr, {}, true);
   tags = make("layerTags", nullptr, {}, true);
   zones = make("layerZones", nullptr, {}, true);
   trails = make("layerTrails", nullptr, {}, true);
@@ -63,6 +64,7 @@ void WindowActions::makeAll() {
   showFaults = make("showFaults", "check", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_F});
   showRevisions = make("showRevisions", "revisions", QKeySequence{Qt::CTRL | Qt::Key_H});
   registerTags = make("registerTags", "tag", QKeySequence{Qt::CTRL | Qt::Key_T}, true);
+  floorPlan = make("floorPlan", "plan", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_P}, true);
   layTiles = make("layTiles", "tile", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_T}, true);
   tileTypes = make("tileTypes", "grid");
   connectPort = make("connect", "connect", QKeySequence{Qt::CTRL | Qt::Key_K});
@@ -97,14 +99,14 @@ void WindowActions::fillMenus(QMainWindow& window) {
   edit_->addSeparator();
   edit_->addActions({editZones, drawZone});
   edit_->addSeparator();
-  edit_->addActions({tileTypes, registerTags});
+  edit_->addActions({tileTypes, registerTags, floorPlan});
   view_ = bar->addMenu(QString{});
   view_->addActions({zoomIn, zoomOut, fit, follow});
   view_->addSeparator();
   view_->addActions({find, measure});
   view_->addSeparator();
   layers_ = view_->addMenu(QString{});
-  layers_->addActions({tags, zones, trails, uncertainty, grid, faults});
+  layers_->addActions({backdrop, tags, zones, trails, uncertainty, grid, faults});
   panels = view_->addMenu(QString{});
   view_->addSeparator();
   language_ = view_->addMenu(ui::icon(QStringLiteral("language")), QString{});
@@ -119,7 +121,7 @@ void WindowActions::fillMenus(QMainWindow& window) {
   connection_->addAction(radio);
   help_ = bar->addMenu(QString{});
   help_->addActions({help, about});
-  for (QAction* layer : {tags, zones, trails, uncertainty, grid, faults}) layer->setChecked(true);
+  for (QAction* layer : {backdrop, tags, zones, trails, uncertainty, grid, faults}) layer->setChecked(true);
   browse->setChecked(true);
   // Reached by their keys also while the menu bar is hidden.
   for (QMenu* menu : {site_, edit_, view_, vehicle_, connection_, help_}) window.addActions(menu->actions());

@@ -25,10 +25,10 @@ public:
   QAction *importFile, *exportFile, *mapPicture;
   QAction *undo, *redo;
   QAction *find, *measure;
-  QAction *zoomIn, *zoomOut, *fit, *follow, *tags, *zones, *trails, *uncertainty, *grid, *faults;
+  QAction *zoomIn, *zoomOut, *fit, *follow, *backdrop, *tags, *zones, *trails, *uncertainty, *grid, *faults;
   QAction *drawRoute, *editRoutes, *layTiles, *tileTypes, *browse;
   QAction *drawZone, *editZones, *showFaults, *showRevisions;
-  QAction* registerTags;
+  QAction *registerTags, *floorPlan;
   QAction *connectPort, *disconnectPort, *radio;
   QAction *commission, *editVehicle, *jog, *stopAll;
   QAction *help, *about;

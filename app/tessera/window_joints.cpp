@@ -160,6 +160,7 @@ void MainWindow::joinActions() {
       canvas_->setLayers(layers);
     });
   };
+  layer(a.backdrop, &ui::CanvasLayers::backdrop);
   layer(a.tags, &ui::CanvasLayers::tags);
   layer(a.zones, &ui::CanvasLayers::zones);
   layer(a.trails, &ui::CanvasLayers::trails);
@@ -210,7 +211,7 @@ void MainWindow::showSite() {
                           actions_->browse,     actions_->editRoutes, actions_->drawRoute,     actions_->editZones,
                           actions_->drawZone,   actions_->showFaults, actions_->showRevisions, actions_->registerTags,
                           actions_->layTiles,   actions_->tileTypes,  actions_->connectPort,   actions_->radio,
-                          actions_->commission, actions_->jog})
+                          actions_->commission, actions_->jog,        actions_->floorPlan})
     action->setEnabled(open_);
   actions_->editVehicle->setEnabled(open_ && selection_.vehicle().has_value());
   faults_->setVisible(open_);

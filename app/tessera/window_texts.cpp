@@ -38,6 +38,7 @@ void WindowActions::retranslate() {
   follow->setText(tr("&Follow the vehicle"));
   find->setText(tr("&Go to…"));
   measure->setText(tr("&Measure"));
+  backdrop->setText(tr("Floor &plan"));
   tags->setText(tr("&Tags"));
   zones->setText(tr("&Zones"));
   trails->setText(tr("T&rails"));
@@ -52,6 +53,7 @@ void WindowActions::retranslate() {
   showFaults->setText(tr("&Faults of the site"));
   showRevisions->setText(tr("Re&visions"));
   registerTags->setText(tr("Register &tags…"));
+  floorPlan->setText(tr("Floor &plan…"));
   layTiles->setText(tr("Lay t&iles"));
   tileTypes->setText(tr("Tile t&ypes…"));
   connectPort->setText(tr("&Connect…"));

@@ -1,4 +1,5 @@
 // Which tool is in hand on the floor, and who tells whom of the zones.
+#include "app/tessera/backdrop_desk.h"
 #include "app/tessera/main_window.h"
 #include "app/tessera/register_desk.h"
 #include "app/tessera/window_actions.h"
@@ -30,6 +31,7 @@ void MainWindow::showTool() {
   const bool outlining = zones && zoneTool_->isDrawing();
   actions_->browse->setChecked(canvas_->tool() == nullptr);
   actions_->registerTags->setChecked(register_ && canvas_->tool() == &register_->tool());
+  actions_->floorPlan->setChecked(backdrop_ && canvas_->tool() == &backdrop_->tool());
   actions_->measure->setChecked(measureTool_ && canvas_->tool() == measureTool_.get());
   actions_->layTiles->setChecked(canvas_->tool() == layTool_.get());
   actions_->editZones->setChecked(zones && !outlining);
@@ -37,7 +39,8 @@ void MainWindow::showTool() {
   actions_->editRoutes->setChecked(routes && !drawing);
   actions_->drawRoute->setChecked(drawing);
   actions_->allowSteps((drawing && !routeTool_->draft().empty()) || layTool_->isPasting() ||
-                       (outlining && !zoneTool_->draft().empty()) || isMeasuring());
+                       (outlining && !zoneTool_->draft().empty()) || isMeasuring() ||
+                       (backdrop_ && canvas_->tool() == &backdrop_->tool() && !backdrop_->tool().points().empty()));
 }
 
 bool MainWindow::isMeasuring() const {

@@ -1207,10 +1207,6 @@
         <translation>改为直线段的曲线边：%1。</translation>
     </message>
     <message>
-        <source>Edges whose highest speed was left out: %1.</source>
-        <translation>最高速度未导入的边：%1。</translation>
-    </message>
-    <message>
         <source>Edges whose load and height restrictions were left out: %1.</source>
         <translation>载荷和高度限制未导入的边：%1。</translation>
     </message>
@@ -1801,6 +1797,34 @@
     <message>
         <source>slowing down before a slower leg</source>
         <translation>在较慢的路段前减速</translation>
+    </message>
+    <message>
+        <source>%1 is too large: a picture may have %2 MB. Save it smaller or as JPEG.</source>
+        <translation>%1 太大：图片最多 %2 MB。请缩小或另存为 JPEG。</translation>
+    </message>
+    <message>
+        <source>%1 is neither a PNG nor a JPEG picture.</source>
+        <translation>%1 既不是 PNG 也不是 JPEG 图片。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>That scale is beyond what a floor plan can have.</source>
+        <translation>该比例超出平面图的允许范围。</translation>
+    </message>
+    <message>
+        <source>The two points are one. Click two points that lie apart.</source>
+        <translation>两个点重合。请点击两个分开的点。</translation>
+    </message>
+    <message>
+        <source>The picture has %1 × %2 pixels. Save it smaller: up to %3 million pixels can be shown.</source>
+        <translation>图片有 %1 × %2 像素。请缩小：最多可显示 %3 百万像素。</translation>
+    </message>
+    <message>
+        <source>The picture is damaged or of a kind that cannot be shown.</source>
+        <translation>图片已损坏，或属于无法显示的类型。</translation>
     </message>
 </context>
 <context>
@@ -2483,6 +2507,21 @@
     </message>
 </context>
 <context>
+    <name>tessera::desktop::BackdropDesk</name>
+    <message>
+        <source>Choose a picture of the floor plan</source>
+        <translation>选择平面图图片</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg);;All files (*)</source>
+        <translation>图片 (*.png *.jpg *.jpeg);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>The picture could not be taken</source>
+        <translation>无法使用该图片</translation>
+    </message>
+</context>
+<context>
     <name>tessera::desktop::ExchangeFiles</name>
     <message>
         <source>Import</source>
@@ -3044,6 +3083,14 @@
         <source>Re&amp;visions</source>
         <translation>修订版本(&amp;V)</translation>
     </message>
+    <message>
+        <source>Floor &amp;plan</source>
+        <translation>平面图(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Floor &amp;plan…</source>
+        <translation>平面图(&amp;P)…</translation>
+    </message>
 </context>
 <context>
     <name>tessera::desktop::WindowPanels</name>
@@ -3156,6 +3203,179 @@
     <message>
         <source>Not connected. Connect to the vehicles and try again.</source>
         <translation>未连接。请先连接车辆，然后重试。</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::BackdropEdits</name>
+    <message>
+        <source>Another floor plan: %1</source>
+        <translation>更换平面图：%1</translation>
+    </message>
+    <message>
+        <source>Add floor plan %1</source>
+        <translation>添加平面图 %1</translation>
+    </message>
+    <message>
+        <source>Remove floor plan</source>
+        <translation>去除平面图</translation>
+    </message>
+    <message>
+        <source>Move floor plan</source>
+        <translation>移动平面图</translation>
+    </message>
+    <message>
+        <source>Turn floor plan</source>
+        <translation>旋转平面图</translation>
+    </message>
+    <message>
+        <source>Scale floor plan</source>
+        <translation>缩放平面图</translation>
+    </message>
+    <message>
+        <source>Opacity of floor plan</source>
+        <translation>平面图不透明度</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::BackdropPanel</name>
+    <message>
+        <source>%1 × %2 pixels, %3 × %4 m</source>
+        <translation>%1 × %2 像素，%3 × %4 m</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <comment>opacity</comment>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Click a point of the picture on the floor.</source>
+        <translation>在地面上点击图片的一个点。</translation>
+    </message>
+    <message>
+        <source>Click a second point, far from the first.</source>
+        <translation>点击离第一个点较远的第二个点。</translation>
+    </message>
+    <message>
+        <source>How far are the two points truly apart?</source>
+        <translation>两点实际相距多远？</translation>
+    </message>
+    <message>
+        <source>Floor plan</source>
+        <translation>平面图</translation>
+    </message>
+    <message>
+        <source>A picture of the building (PNG or JPEG) can lie beneath the floor, to lay tiles, zones and routes upon.</source>
+        <translation>地面下方可以放一张建筑图片（PNG 或 JPEG），在其上铺设地板砖、绘制区域和路径。</translation>
+    </message>
+    <message>
+        <source>Choose a picture…</source>
+        <translation>选择图片…</translation>
+    </message>
+    <message>
+        <source>Another…</source>
+        <translation>更换…</translation>
+    </message>
+    <message>
+        <source>Another picture in the place of this one</source>
+        <translation>用另一张图片代替这一张</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>去除</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>Opacity of the floor plan</source>
+        <translation>平面图的不透明度</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>One pixel</source>
+        <translation>一个像素</translation>
+    </message>
+    <message>
+        <source>Place of the picture&apos;s lower left corner</source>
+        <translation>图片左下角的位置</translation>
+    </message>
+    <message>
+        <source>About its lower left corner, counter-clockwise</source>
+        <translation>绕左下角，逆时针</translation>
+    </message>
+    <message>
+        <source>Length of a pixel&apos;s side on the floor</source>
+        <translation>一个像素的边在地面上的长度</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <comment>after a number</comment>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <comment>after a number</comment>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Scale by two points…</source>
+        <translation>按两点定比例…</translation>
+    </message>
+    <message>
+        <source>Click two points whose distance you know, then type it</source>
+        <translation>点击已知距离的两个点，然后输入距离</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::BackdropTool</name>
+    <message>
+        <source>Floor plan: choose a picture in its panel.</source>
+        <translation>平面图：请在面板中选择图片。</translation>
+    </message>
+    <message>
+        <source>Drag the floor plan or press the arrow keys (Shift: 10 cm). Esc lays the tool down.</source>
+        <translation>拖动平面图或按方向键（Shift：10 cm）。Esc 放下工具。</translation>
+    </message>
+    <message>
+        <source>Click the first of two points whose distance you know. Esc cancels.</source>
+        <translation>点击已知距离的两点中的第一个。Esc 取消。</translation>
+    </message>
+    <message>
+        <source>Click the second point. Backspace: back. Esc cancels.</source>
+        <translation>点击第二个点。Backspace：退回。Esc 取消。</translation>
+    </message>
+    <message>
+        <source>Type the true distance in the panel. Backspace: back. Esc cancels.</source>
+        <translation>在面板中输入实际距离。Backspace：退回。Esc 取消。</translation>
+    </message>
+    <message>
+        <source>now %1 m</source>
+        <comment>a length</comment>
+        <translation>现为 %1 m</translation>
     </message>
 </context>
 <context>
@@ -5463,10 +5683,6 @@ x %2 m，y %3 m</translation>
     <message>
         <source>As %1 drives it at that speed: with its ramps, its top speed and its turns on the spot at corners.</source>
         <translation>按%1以该速度行驶：包括加减速、最高速度和拐角处的原地转向。</translation>
-    </message>
-    <message>
-        <source>Length divided by speed. Choose a vehicle for the time with its ramps and turns.</source>
-        <translation>长度除以速度。选择一辆车可得到包括加减速和转向的时间。</translation>
     </message>
     <message>
         <source>&amp;Join</source>

@@ -17,7 +17,10 @@ constexpr std::chrono::milliseconds kSlice{3};  // of drawing between two looks 
 }  // namespace
 
 FloorScene FloorCanvas::scene() const {
-  return {map_, index_, mip_, layers_, route_, !(tool_ && tool_->drawsChosenRoute()), font()};
+  FloorScene scene{map_, index_, mip_, layers_, route_, !(tool_ && tool_->drawsChosenRoute()), font()};
+  if (const auto& place = ledBackdrop_ ? ledBackdrop_ : map_->site().backdrop; place && backdrop_)
+    scene.backdrop = SceneBackdrop{*place, backdrop_};
+  return scene;
 }
 
 std::vector<VehicleMark> FloorCanvas::marks() const {
@@ -124,7 +127,8 @@ void FloorCanvas::paintLive(QPainter& painter, const QRegion& region) {
     painter.restore();
   }
   const floor::Site& site = map_->site();
-  if (index_->box().empty() && site.zones.empty() && site.routes.empty() && !tool_) paintEmpty(painter);
+  if (index_->box().empty() && site.zones.empty() && site.routes.empty() && !site.backdrop && !tool_)
+    paintEmpty(painter);
 }
 
 void FloorCanvas::paintEmpty(QPainter& painter) {

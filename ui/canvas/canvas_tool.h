@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QString>
 #include <memory>
+#include <optional>
 
 #include "ui/canvas/floor_index.h"
 #include "ui/canvas/theme.h"
@@ -50,6 +51,8 @@ public:
   virtual void paint(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme) = 0;
   /// True: paint() shows the chosen route, perhaps as it is being changed; the canvas leaves it out.
   [[nodiscard]] virtual bool drawsChosenRoute() const { return false; }
+  /// The picture beneath the floor as it is just being changed; the canvas shows it in place of the site's.
+  [[nodiscard]] virtual std::optional<floor::Backdrop> backdrop() const { return std::nullopt; }
   [[nodiscard]] virtual QCursor cursor() const = 0;
   /// What to do now, for the status bar.
   [[nodiscard]] virtual QString hint() const = 0;

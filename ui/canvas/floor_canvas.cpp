@@ -12,8 +12,11 @@ constexpr double kZoomStep = 1.5;
 constexpr int kFrameMs = 16;
 constexpr qint64 kFadeEveryMs = 1000;
 
-SiteBox contentOf(const floor::Site& site, const FloorIndex& index) {
+SiteBox contentOf(const floor::Site& site, const FloorIndex& index, const BackdropPicture* picture) {
   SiteBox box = index.box();
+  if (site.backdrop && picture != nullptr && !picture->fault()) {
+    for (const Point& p : cornersOf(*site.backdrop, picture->size())) box.add(p);
+  }
   for (const floor::Zone& zone : site.zones) {
     for (const Point& p : zone.outline) box.add(p);
   }
@@ -83,7 +86,9 @@ void FloorCanvas::setMap(std::shared_ptr<const floor::SiteMap> map) {
 }
 
 void FloorCanvas::refreshContent() {
-  content_ = contentOf(map_->site(), *index_);
+  const auto& backdrop = map_->site().backdrop;
+  backdrop_ = backdrop ? BackdropPicture::of(backdrop->picture) : nullptr;
+  content_ = contentOf(map_->site(), *index_, backdrop_.get());
   view_.setContent(content_);
 }
 
@@ -154,9 +159,14 @@ void FloorCanvas::setTool(CanvasTool* tool) {
     }
   }
   tool_ = tool;
+  ledBackdrop_.reset();
   if (tool_) {
     connect(tool_, &CanvasTool::changed, this, [this] {
       refreshCursor();
+      if (auto led = tool_->backdrop(); led != ledBackdrop_) {
+        ledBackdrop_ = std::move(led);
+        redrawFloor();
+      }
       update();
     });
     connect(tool_, &CanvasTool::hintChanged, this, &FloorCanvas::hintChanged);

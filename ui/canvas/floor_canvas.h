@@ -129,6 +129,8 @@ private:
   std::shared_ptr<const floor::SiteMap> map_;
   std::shared_ptr<const FloorIndex> index_;
   std::shared_ptr<const FloorMip> mip_;
+  std::shared_ptr<const BackdropPicture> backdrop_;  ///< null: the site has none
+  std::optional<floor::Backdrop> ledBackdrop_;       ///< as the tool is changing it
   SiteBox content_;
   View view_;
   CanvasTheme theme_;

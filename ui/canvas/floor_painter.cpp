@@ -114,6 +114,8 @@ void paintFloor(QImage& image, const View& view, const FloorScene& scene, const 
   QPainter painter;
   begin(painter);
   painter.fillRect(logical, theme.background);
+  if (scene.layers.backdrop && scene.backdrop)
+    paintBackdrop(painter, view, scene.backdrop->place, *scene.backdrop->picture, logical);
   if (scene.layers.grid) paintGrid(painter, view, theme, false);
   if (near || !scene.layers.tags) {
     paintTiles(painter, view, scene, theme, box);

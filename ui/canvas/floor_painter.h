@@ -6,6 +6,7 @@
 #include <QString>
 #include <QVector>
 
+#include "ui/canvas/backdrop_picture.h"
 #include "ui/canvas/floor_index.h"
 #include "ui/canvas/floor_mip.h"
 #include "ui/canvas/layers.h"
@@ -13,6 +14,12 @@
 #include "ui/canvas/view.h"
 
 namespace tessera::ui {
+
+/// Beneath everything.
+struct SceneBackdrop {
+  floor::Backdrop place;
+  std::shared_ptr<const BackdropPicture> picture;
+};
 
 struct FloorScene {
   std::shared_ptr<const floor::SiteMap> map;
@@ -22,6 +29,7 @@ struct FloorScene {
   QString chosenRoute;
   bool withChosen = true;  ///< false: it is drawn elsewhere, as it is being changed
   QFont font;
+  std::optional<SceneBackdrop> backdrop = {};
 };
 
 /// Below this many pixels between places tags are colours of cells, from it on dots.

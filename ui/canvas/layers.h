@@ -4,6 +4,7 @@
 namespace tessera::ui {
 
 struct CanvasLayers {
+  bool backdrop = true;
   bool tags = true;
   bool zones = true;
   bool routes = true;

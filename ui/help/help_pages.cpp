@@ -21,7 +21,7 @@ QString titleOf(const QString& text) {
 }  // namespace
 
 const std::vector<QString>& HelpPages::topics() {
-  static const std::vector<QString> kTopics{"start",    "floor",          "tiles",    "zones",         "checking",
+  static const std::vector<QString> kTopics{"start",    "floor",          "tiles",    "floorplan", "zones",         "checking",
                                             "routes",   "registering",    "vehicles", "running",       "charts",
                                             "events",   "connecting",     "radio",    "commissioning", "exchange",
                                             "revisions", "keyboard", "troubleshooting"};
