@@ -52,6 +52,38 @@ def row(speed, name, results):
             f"| {sum(v['reversals'] for v in good)} | {min(v['mean_speed_ratio'] for v in good):.2f} |")
 
 
+def limits_row(speed, results):
+    """One line of the table of limits: a speed over its seeds. results: whole summaries."""
+    good = [r for r in results if "error" not in r]
+    if not good:
+        return f"| {speed:.2f} | 0/{len(results)} |" + " – |" * 8
+
+    def centimetres(name, pick):
+        return f"{100 * pick(r[name] for r in good):.2f}"
+
+    line = (f"| {speed:.2f} | {sum(r['finished'] for r in good)}/{len(results)} "
+            f"| {centimetres('position_error_mean_m', statistics.fmean)} | {centimetres('position_error_mean_m', max)} "
+            f"| {centimetres('cross_track_rms_off_corners_m', statistics.fmean)} "
+            f"| {centimetres('cross_track_max_off_corners_m', max)} | {centimetres('end_error_m', max)} "
+            f"| {statistics.fmean(r['nees_mean'] for r in good):.2f} | {sum(r['consistent'] for r in good)}/{len(good)} "
+            f"| {min(r['mean_speed_ratio'] for r in good):.2f} |")
+    carried = [r["carried"] for r in good if "carried" in r]
+    if carried:
+        ways = [c["found_after_m"] for c in carried if c["found"]]
+        line += (f"\n\nFound again after being carried: {len(ways)} of {len(carried)}, after {statistics.fmean(ways):.2f} m"
+                 f" on average and {max(ways):.2f} m at most, {sum(w <= 1.0 for w in ways)} within 1 m; sure of a wrong"
+                 f" place for {statistics.fmean(c['wrongly_sure_s'] for c in carried):.1f} s on average.")
+    return line
+
+
+def print_limits(arguments, results):
+    print("| m/s | finished | position error mean, cm | worst seed | cross-track RMS off corners, cm | largest, worst seed |"
+          " off the end, worst seed | NEES (2 is honest) | consistent runs | mean speed ratio, worst seed |")
+    print("| --- " * 10 + "|")
+    for speed in arguments.speeds:
+        print(limits_row(speed, [results[(speed, seed)] for seed in range(1, arguments.seeds + 1)]))
+
+
 def print_table(arguments, results):
     several = len(arguments.drive) > 1
     print("| m/s |" + (" vehicle |" if several else "") + " finished | position error mean, cm | worst seed |"
@@ -83,6 +115,8 @@ def parse():
     parser.add_argument("--jobs", type=int,
                         help="runs side by side; default: as many as cores, one less where they are in real time")
     parser.add_argument("--out", type=pathlib.Path, default=root / "out/experiments")
+    parser.add_argument("--limits", action="store_true",
+                        help="the table of limits: off corners and the end, and how honest the locator is")
     parser.add_argument("--baseline", action="store_true", help="runs that do not finish are no failure, only a result")
     parser.add_argument("extra", nargs="*", help="further options of `tessera-cli experiment`, after --")
     arguments = parser.parse_args()
@@ -102,7 +136,7 @@ def main():
 
     print(f"Machine: {cpu_model()}, {os.cpu_count()} cores; {arguments.jobs} runs side by side; vehicle {arguments.vehicle};"
           f" seeds 1 to {arguments.seeds}; options: {' '.join(arguments.extra) or 'none'}\n")
-    print_table(arguments, results)
+    (print_limits if arguments.limits else print_table)(arguments, results)
     missing = [(case, r["error"]) for case, r in results.items() if "error" in r]
     for (speed, seed), error in missing:
         print(f"The run at {speed:g} m/s with seed {seed} gave no summary: {error}", file=sys.stderr)

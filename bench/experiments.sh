@@ -50,6 +50,18 @@ if [ "$part" != real ]; then
     --controller control-points --limit 600
   printf '\n== The locator of the publication, for comparison\n'
   table --vehicle native --seeds 20 --baseline --out "$root/out/experiments/tag-centre" -- --lockstep --estimator tag-centre
+  limits() { title=$1 folder=$2; shift 2; printf '\n== %s\n' "$title"; table --vehicle native --seeds 20 --limits --out "$root/out/experiments/$folder" "$@"; }
+  limits 'Limits: 12 cm/s, polls at 10 Hz, air at 19.2 kbit/s' limit-fast --speeds 0.12 -- --lockstep
+  limits 'The same, compass noise 2 degrees, speed noise 5 %' limit-noise-5 --speeds 0.12 -- --lockstep --compass-noise 2 --speed-noise 0.05
+  limits 'The same, speed noise 10 %' limit-noise-10 --speeds 0.12 -- --lockstep --compass-noise 2 --speed-noise 0.1
+  limits 'Polled every 0.2 s, air at 2.4 kbit/s, k = 1' limit-slow --speeds 0.12 -- --lockstep --air 2400 --air-factor 1 --poll 0.2
+  limits 'The same, a fifth of the reads lost, 5 degrees of compass bias, slip' limit-rough --speeds 0.12 -- \
+    --lockstep --air 2400 --air-factor 1 --poll 0.2 --detection 0.72 --compass-bias 5 --slip 0.1
+  limits '50 cm/s' limit-quick --speeds 0.50 -- --lockstep
+  for name in kalman tag-centre; do
+    limits "The first of these with $name" "limit-$name" --speeds 0.12 --baseline -- --lockstep --estimator $name
+  done
+  limits 'Carried in the middle of the drive, a hundred seeds' limit-carried --speeds 0.12 --seeds 100 --baseline -- --lockstep --carry 20
   printf '\n== Three vehicles on one channel\n'
   three --vehicle native --seeds 5 --out "$root/out/experiments/three" -- --lockstep
 fi

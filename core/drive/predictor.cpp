@@ -9,7 +9,7 @@ namespace {
 constexpr double kStep = 0.02;           // s
 constexpr double kLongest = 5.0;         // s
 constexpr double kRest = 1e-4;           // m/s, rad/s, rad: no more worth rolling
-constexpr double kDoubtPerMetre = 0.04;  // of the way rolled: the vehicle never does quite what the model says
+constexpr double kDoubtPerMetre = 0.05;  // of the way rolled: the vehicle never does quite what the model says
 
 double towards(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
 

@@ -12,7 +12,7 @@
 namespace tessera::locate {
 namespace {
 
-constexpr std::array<std::string_view, 3> kNames{KalmanLocator::kName, ParticleLocator::kName, TagCentreLocator::kName};
+constexpr std::array<std::string_view, 3> kNames{ParticleLocator::kName, KalmanLocator::kName, TagCentreLocator::kName};
 
 }  // namespace
 

@@ -20,13 +20,13 @@ struct ParticleOptions {
   double biasSigma = 0.07;          ///< rad, of the compass bias at the start
   double biasPerRootMetre = 0.10;   ///< rad/√m: the floor's magnetic field changes from place to place
   double biasPerTurn = 0.02;        ///< rad per rad: what is left of soft iron changes with the heading
-  double leastUnrest = 0.015;       ///< share by which the odometer's scale (wheel wear, slip) may wander: learned, ...
+  double leastUnrest = 0.010;       ///< share by which the odometer's scale (wheel wear, slip) may wander: learned, ...
   double mostUnrest = 0.12;         ///< ... between these
   double scaleLength = 0.2;         ///< m, over which the scale is forgotten
   double slipPerRootMetre = 0.006;  ///< m/√m, of the wheels, in each direction
   double turnShare = 0.1;           ///< of a heading change between two samples: doubt about the direction meanwhile
   // What a reader sees.
-  double rim = 0.006;       ///< m, logistic width of the disc's edge, with what the instants of reads are off by
+  double rim = 0.0055;      ///< m, logistic width of the disc's edge, with what the instants of reads are off by
   double detection = 0.80;  ///< chance that an attempt inside the disc succeeds; a little below the truth is safe
   double deadTag = 0.03;    ///< chance that a tag of the map answers nobody
   double readLag = 0.020;   ///< s from a reader's asking the floor to the instant told: its result waits for the bus

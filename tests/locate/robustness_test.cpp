@@ -231,7 +231,7 @@ TEST(Factory, namesWhatItKnowsAndRefusesTheRest) {
     EXPECT_EQ((*locate::makeLocator(name, map, paperVehicle()))->name(), name);
   const auto unknown = locate::makeLocator("oracle", map, paperVehicle());
   ASSERT_FALSE(unknown);
-  EXPECT_EQ(unknown.error().sentence, "There is no locator \"oracle\"; there are: kalman, particles, tag-centre.");
+  EXPECT_EQ(unknown.error().sentence, "There is no locator \"oracle\"; there are: particles, kalman, tag-centre.");
   EXPECT_FALSE(locate::makeLocator("kalman", map, paperVehicle(0)));
   EXPECT_FALSE(locate::makeLocator("kalman", nullptr, paperVehicle()));
 }
