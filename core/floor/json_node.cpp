@@ -2,19 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
-#include <set>
+
+#include "floor/json_parse.h"
 
 namespace tessera::floor {
 namespace {
 
 using nlohmann::json;
-
-std::string escaped(std::string_view key) {
-  std::string s;
-  for (char c : key) s += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
-  return s;
-}
 
 std::string shortened(std::string s) {
   constexpr std::size_t longest = 60;
@@ -34,48 +28,6 @@ Sentence described(const json* value) {
 // 0.6 as "0.6".
 std::string plain(double v) { return json(v).dump(); }
 
-// Follows a parser through a document, to know the place of each key.
-class KeyWatch {
-public:
-  explicit KeyWatch(JsonErrors& errors) : errors_{errors} {}
-  void see(json::parse_event_t event, const json& parsed) {
-    switch (event) {
-      case json::parse_event_t::object_start:
-      case json::parse_event_t::array_start:
-        levels_.emplace_back();
-        levels_.back().array = event == json::parse_event_t::array_start;
-        return;
-      case json::parse_event_t::object_end:
-      case json::parse_event_t::array_end:
-        levels_.pop_back();
-        break;
-      case json::parse_event_t::key:
-        levels_.back().key = parsed.get<std::string>();
-        if (!levels_.back().keys.insert(levels_.back().key).second)
-          errors_.add(pointer(), phrase("Core", "this key stands twice in one object."));
-        return;
-      case json::parse_event_t::value:
-        break;
-    }
-    if (!levels_.empty()) ++levels_.back().index;
-  }
-
-private:
-  struct Level {
-    bool array = false;
-    std::size_t index = 0;  ///< in an array
-    std::string key;        ///< in an object
-    std::set<std::string> keys;
-  };
-  [[nodiscard]] std::string pointer() const {
-    std::string s;
-    for (const Level& level : levels_) s += "/" + (level.array ? std::to_string(level.index) : escaped(level.key));
-    return s;
-  }
-  JsonErrors& errors_;
-  std::vector<Level> levels_;
-};
-
 bool contains(std::initializer_list<std::string_view> keys, std::string_view key) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
@@ -88,17 +40,9 @@ void JsonErrors::add(const std::string& pointer, const Sentence& sentence) {
   first_ = Error{phrase("Core", "%1: %2: %3").with(document_, place, sentence)};
 }
 
-json parseJson(std::string_view text, JsonErrors& errors) {
-  KeyWatch watch{errors};
-  return json::parse(text, [&](int, json::parse_event_t event, const json& parsed) {
-    watch.see(event, parsed);
-    return true;
-  });
-}
-
 std::string JsonNode::pointer() const {
   if (parent_ == nullptr) return {};
-  return parent_->pointer() + "/" + (key_.empty() ? std::to_string(index_) : escaped(key_));
+  return parent_->pointer() + "/" + (key_.empty() ? std::to_string(index_) : escapedKey(key_));
 }
 
 void JsonNode::fail(const Sentence& expected) const {
@@ -118,7 +62,7 @@ void JsonNode::object(std::initializer_list<std::string_view> required,
     for (auto keys : {required, optional}) {
       for (std::string_view k : keys) known += (known.empty() ? "" : ", ") + std::string{k};
     }
-    return errors_.add(pointer() + "/" + escaped(shortened(key)),
+    return errors_.add(pointer() + "/" + escapedKey(shortened(key)),
                        phrase("Core", "there is no such key here; expected one of %1.").with(known));
   }
   objectWith(required);
@@ -128,7 +72,7 @@ void JsonNode::objectWith(std::initializer_list<std::string_view> required) cons
   if (value_ == nullptr || !value_->is_object()) return fail(phrase("Core", "an object"));
   for (std::string_view key : required) {
     if (!value_->contains(key)) {
-      return errors_.add(pointer() + "/" + escaped(key), phrase("Core", "expected this key, which is missing."));
+      return errors_.add(pointer() + "/" + escapedKey(key), phrase("Core", "expected this key, which is missing."));
     }
   }
 }

@@ -27,10 +27,6 @@ private:
   std::optional<Error> first_;
 };
 
-/// JSON leaves open which of two equal keys in one object counts: the first such key is an error. Throws what
-/// nlohmann's parser throws.
-[[nodiscard]] nlohmann::json parseJson(std::string_view text, JsonErrors& errors);
-
 /// One value of a document, or the absence of one. Parents and errors must outlive it.
 class JsonNode {
 public:

@@ -2,68 +2,53 @@
 
 #include <utility>
 
+#include "floor/site_patch.h"
+
 namespace tessera::ui {
 
-// Both maps are kept whole: they are immutable and what an edit leaves alone could be shared between them.
+// Keeps what differs, not two sites: a day's work on a large floor is thousands of steps.
 class EditSite : public QUndoCommand {
 public:
   EditSite(SiteDocument& document, const QString& step, std::shared_ptr<const floor::SiteMap> after, int mergeKey)
       : QUndoCommand{step},
         document_{document},
-        before_{document.map()},
-        after_{std::move(after)},
+        patch_{document.site(), after->site()},
+        first_{std::move(after)},
         mergeKey_{mergeKey} {}
 
-  void undo() override { document_.show(before_); }
-  void redo() override { document_.show(after_); }
+  void undo() override { document_.show(built(back(document_.site()))); }
+  void redo() override {
+    if (first_) return document_.show(std::exchange(first_, nullptr));
+    floor::Site site = document_.site();
+    patch_.apply(site);
+    document_.show(built(std::move(site)));
+  }
   [[nodiscard]] int id() const override { return mergeKey_ == 0 ? -1 : mergeKey_; }
+  // The document shows what the later step led to.
   bool mergeWith(const QUndoCommand* later) override {
     const auto* edit = dynamic_cast<const EditSite*>(later);
     if (edit == nullptr || edit->mergeKey_ != mergeKey_) return false;
-    after_ = edit->after_;
-    setObsolete(before_->site() == after_->site());
+    patch_ = floor::SitePatch{back(edit->back(document_.site())), document_.site()};
+    setObsolete(patch_.empty());
     return true;
   }
 
 private:
+  [[nodiscard]] floor::Site back(floor::Site site) const {
+    patch_.revert(site);
+    return site;
+  }
+  // The site was one like this before, so that it is good again.
+  static std::shared_ptr<const floor::SiteMap> built(floor::Site site) {
+    auto map = floor::SiteMap::build(std::move(site));
+    Q_ASSERT(map);
+    return *std::move(map);
+  }
+
   SiteDocument& document_;
-  std::shared_ptr<const floor::SiteMap> before_;
-  std::shared_ptr<const floor::SiteMap> after_;
+  floor::SitePatch patch_;
+  std::shared_ptr<const floor::SiteMap> first_;  ///< until it is shown for the first time
   int mergeKey_;
-};
-
-class EditSiteLightly : public QUndoCommand {
-public:
-  using Change = std::function<void(floor::Site&)>;
-
-  EditSiteLightly(SiteDocument& document, const QString& step, std::shared_ptr<const floor::SiteMap> after,
-                  Change change, Change back)
-      : QUndoCommand{step},
-        document_{document},
-        first_{std::move(after)},
-        change_{std::move(change)},
-        back_{std::move(back)} {}
-
-  void undo() override { go(back_); }
-  void redo() override {
-    if (first_)
-      document_.show(std::exchange(first_, nullptr));
-    else
-      go(change_);
-  }
-
-private:
-  void go(const Change& change) {
-    floor::Site site = document_.site();
-    change(site);
-    // The site was one like this before, so that it is good again.
-    if (auto map = floor::SiteMap::build(std::move(site))) document_.show(*std::move(map));
-  }
-
-  SiteDocument& document_;
-  std::shared_ptr<const floor::SiteMap> first_;
-  Change change_;
-  Change back_;
 };
 
 SiteDocument::SiteDocument(QObject* parent) : QObject{parent}, map_{floor::SiteMap::build({}).value()} {
@@ -93,17 +78,6 @@ Result<void> SiteDocument::edit(const QString& step, const std::function<void(fl
   auto map = floor::SiteMap::build(std::move(after));
   if (!map) return tl::unexpected{map.error()};
   undo_.push(new EditSite{*this, step, *std::move(map), mergeKey});
-  return {};
-}
-
-Result<void> SiteDocument::editLightly(const QString& step, std::function<void(floor::Site&)> change,
-                                       std::function<void(floor::Site&)> back) {
-  floor::Site after = site();
-  change(after);
-  if (after == site()) return {};
-  auto map = floor::SiteMap::build(std::move(after));
-  if (!map) return tl::unexpected{map.error()};
-  undo_.push(new EditSiteLightly{*this, step, *std::move(map), std::move(change), std::move(back)});
   return {};
 }
 

@@ -36,13 +36,8 @@ public:
 
   /// One step, e.g. edit(tr("Move vertex"), [](Site& s) {...}). Steps in a row with the same mergeKey (0: never) become
   /// one, as in a drag. Error: the site would contradict itself (two routes of one name, ...); nothing has changed
-  /// then.
+  /// then. A step keeps what differs, so that thousands of them are cheap on any floor.
   Result<void> edit(const QString& step, const std::function<void(floor::Site&)>& change, int mergeKey = 0);
-
-  /// As edit(), for steps that come by the thousand: each keeps the way forward and back instead of two whole sites.
-  /// `back` has to lead to the very site that `change` began with.
-  Result<void> editLightly(const QString& step, std::function<void(floor::Site&)> change,
-                           std::function<void(floor::Site&)> back);
 
   /// The whole site becomes another one, as one step.
   void restore(const QString& step, std::shared_ptr<const floor::SiteMap> map);
@@ -57,7 +52,6 @@ Q_SIGNALS:
 
 private:
   friend class EditSite;
-  friend class EditSiteLightly;
   void show(std::shared_ptr<const floor::SiteMap> map);
 
   std::shared_ptr<const floor::SiteMap> map_;

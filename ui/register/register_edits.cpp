@@ -11,16 +11,12 @@ const floor::Tile* tileOf(const floor::Site& site, const std::string& serial) {
 }
 
 Result<void> RegisterEdits::set(const QString& step, const std::string& serial, std::vector<floor::TagUid> uids) {
-  const floor::Tile* tile = tileOf(document_.site(), serial);
-  if (tile == nullptr)
+  if (tileOf(document_.site(), serial) == nullptr)
     return failure(tr("There is no tile %1 any more.").arg(QString::fromStdString(serial)).toStdString());
-  const auto setter = [serial](std::vector<floor::TagUid> values) {
-    return [serial, values = std::move(values)](floor::Site& site) {
-      for (floor::Tile& t : site.tiles)
-        if (t.serial == serial) t.uids = values;
-    };
-  };
-  return document_.editLightly(step, setter(std::move(uids)), setter(tile->uids));
+  return document_.edit(step, [&](floor::Site& site) {
+    for (floor::Tile& t : site.tiles)
+      if (t.serial == serial) t.uids = std::move(uids);
+  });
 }
 
 std::vector<floor::TagUid> RegisterEdits::with(const scan::PlaceName& place, const floor::TagUid& uid) const {
