@@ -1,8 +1,6 @@
 #include "floor/site_map.h"
 
 #include <algorithm>
-#include <bit>
-#include <limits>
 #include <map>
 #include <string_view>
 
@@ -22,13 +20,17 @@ auto repeated(const Items& items, KeyOf keyOf) {
   return twice == keys.end() ? std::nullopt : std::optional{*twice};
 }
 
+std::optional<Error> doubledTile(const Site& site) {
+  if (auto n = repeated(site.tileTypes, [](const TileType& t) -> std::string_view { return t.name; }))
+    return Error{phrase("Core", "Two tile types are called \"%1\".").with(std::string{*n})};
+  if (auto n = repeated(site.tiles, [](const Tile& t) -> std::string_view { return t.serial; }))
+    return Error{phrase("Core", "Two tiles have the serial number \"%1\".").with(std::string{*n})};
+  if (auto n = repeated(site.placements, [](const Placement& p) -> std::string_view { return p.serial; }))
+    return Error{phrase("Core", "Tile \"%1\" is laid twice.").with(std::string{*n})};
+  return std::nullopt;
+}
+
 std::optional<Error> doubledName(const Site& site) {
-  if (auto n = repeated(site.tileTypes, [](const TileType& t) { return t.name; }))
-    return Error{phrase("Core", "Two tile types are called \"%1\".").with(*n)};
-  if (auto n = repeated(site.tiles, [](const Tile& t) { return t.serial; }))
-    return Error{phrase("Core", "Two tiles have the serial number \"%1\".").with(*n)};
-  if (auto n = repeated(site.placements, [](const Placement& p) { return p.serial; }))
-    return Error{phrase("Core", "Tile \"%1\" is laid twice.").with(*n)};
   if (auto n = repeated(site.routes, [](const Route& r) { return r.name; }))
     return Error{phrase("Core", "Two routes are called \"%1\".").with(*n)};
   if (auto n = repeated(site.vehicles, [](const VehicleSetup& v) { return v.id; }))
@@ -105,86 +107,24 @@ private:
 }  // namespace
 
 Result<std::shared_ptr<const SiteMap>> SiteMap::build(Site site) {
-  if (auto error = doubledName(site)) return tl::unexpected{std::move(*error)};
+  if (auto error = doubledTile(site)) return tl::unexpected{std::move(*error)};
   auto tags = Layer{site}.lay();
   if (!tags) return tl::unexpected{std::move(tags.error())};
-  if (tags->size() >= std::numeric_limits<std::uint32_t>::max() / 4)
-    return failure(phrase("Core", "The site has too many tags."));
+  auto table = TagTable::build(*std::move(tags));
+  if (!table) return tl::unexpected{std::move(table.error())};
+  return with(std::move(site), *std::move(table));
+}
 
-  if (const auto twice = repeated(*tags, [](const PlacedTag& t) { return t.uid; })) {
-    return failure(phrase("Core", "Tag %1 is registered at two places.").with(twice->text()));
-  }
+Result<std::shared_ptr<const SiteMap>> SiteMap::build(Site site, const SiteMap& before, const SitePatch& change) {
+  return change.movesTags() ? build(std::move(site)) : with(std::move(site), before.table_);
+}
+
+Result<std::shared_ptr<const SiteMap>> SiteMap::with(Site site, std::shared_ptr<const TagTable> table) {
+  if (auto error = doubledName(site)) return tl::unexpected{std::move(*error)};
   std::shared_ptr<SiteMap> map{new SiteMap};
   map->site_ = std::move(site);
-  map->sortIntoGrid(std::move(*tags));
-  if (!map->hashTags()) return failure(phrase("Core", "The UIDs of the site's tags cannot be told apart quickly."));
+  map->table_ = std::move(table);
   return map;
-}
-
-void SiteMap::sortIntoGrid(std::vector<PlacedTag> tags) {
-  if (tags.empty()) {
-    cellStart_.assign(2, 0);
-    return;
-  }
-  const auto byX = [](const PlacedTag& a, const PlacedTag& b) { return a.place.x < b.place.x; };
-  const auto byY = [](const PlacedTag& a, const PlacedTag& b) { return a.place.y < b.place.y; };
-  const auto [west, east] = std::minmax_element(tags.begin(), tags.end(), byX);
-  const auto [south, north] = std::minmax_element(tags.begin(), tags.end(), byY);
-  left_ = west->place.x.value();
-  bottom_ = south->place.y.value();
-  const double width = east->place.x.value() - left_;
-  const double height = north->place.y.value() - bottom_;
-  // A cell of 0.3 m holds a few tags of any usual floor. Where tags lie far apart it grows, so that the grid never
-  // has many more cells than there are tags.
-  const double most = 2.0 * static_cast<double>(tags.size()) + 16.0;
-  cellSize_ = 0.3;
-  while ((std::floor(width / cellSize_) + 1.0) * (std::floor(height / cellSize_) + 1.0) > most) cellSize_ *= 1.5;
-  columns_ = static_cast<std::size_t>(width / cellSize_) + 1;
-  rows_ = static_cast<std::size_t>(height / cellSize_) + 1;
-
-  const auto cellOf = [this](const PlacedTag& t) {
-    return row(t.place.y.value()) * columns_ + column(t.place.x.value());
-  };
-  cellStart_.assign(columns_ * rows_ + 1, 0);
-  for (const PlacedTag& tag : tags) ++cellStart_[cellOf(tag) + 1];
-  for (std::size_t c = 1; c < cellStart_.size(); ++c) cellStart_[c] += cellStart_[c - 1];
-  std::vector<std::uint32_t> next{cellStart_.begin(), cellStart_.end() - 1};
-  tags_.resize(tags.size());
-  for (const PlacedTag& tag : tags) tags_[next[cellOf(tag)]++] = tag;
-}
-
-// UIDs chosen to collide would make look-ups slow: a table with a long probe is laid out anew with another salt.
-bool SiteMap::hashTags() {
-  const std::size_t capacity = std::bit_ceil(2 * tags_.size() + 2);
-  for (std::uint64_t salt = 0; salt < 16; ++salt) {
-    if (fillTable(capacity, salt)) return true;
-  }
-  return false;
-}
-
-bool SiteMap::fillTable(std::size_t capacity, std::uint64_t salt) {
-  constexpr std::size_t longestProbe = 256;
-  table_.assign(capacity, 0);
-  salt_ = salt;
-  for (std::uint32_t i = 0; i < tags_.size(); ++i) {
-    std::size_t at = tags_[i].uid.hash(salt_) & (capacity - 1);
-    std::size_t probes = 0;
-    while (table_[at] != 0) {
-      if (++probes > longestProbe) return false;
-      at = (at + 1) & (capacity - 1);
-    }
-    table_[at] = i + 1;
-  }
-  return true;
-}
-
-std::optional<Point> SiteMap::find(const TagUid& uid) const {
-  const std::size_t mask = table_.size() - 1;
-  for (std::size_t at = uid.hash(salt_) & mask; table_[at] != 0; at = (at + 1) & mask) {
-    const PlacedTag& tag = tags_[table_[at] - 1];
-    if (tag.uid == uid) return tag.place;
-  }
-  return std::nullopt;
 }
 
 const Route* SiteMap::route(const std::string& name) const {

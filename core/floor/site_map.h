@@ -1,9 +1,7 @@
-// The immutable picture of a site that the supervisor works with: every registered tag with its place, found by UID in
-// constant time and by place through a grid. An edit makes a new one; holders of the old one are not disturbed.
+// The immutable picture of a site that the supervisor works with: the site, found free of contradictions, and the table
+// of its tags. An edit makes a new one; holders of the old one are not disturbed.
 #pragma once
 
-#include <cmath>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,14 +9,10 @@
 #include <vector>
 
 #include "base/pose.h"
-#include "floor/site.h"
+#include "floor/site_patch.h"
+#include "floor/tag_table.h"
 
 namespace tessera::floor {
-
-struct PlacedTag {
-  TagUid uid;
-  Point place;
-};
 
 class SiteMap {
 public:
@@ -26,64 +20,29 @@ public:
   /// placement of an unknown tile, a tile laid twice, a tile of unknown type, too many UIDs, two types, tiles, routes
   /// or vehicles of one name, a place that is no number); the sentence names it.
   [[nodiscard]] static Result<std::shared_ptr<const SiteMap>> build(Site site);
+  /// The same for the site that `change` makes of the one of `before`: what the change leaves alone is not looked at,
+  /// and where it leaves the tags alone both maps share their table.
+  [[nodiscard]] static Result<std::shared_ptr<const SiteMap>> build(Site site, const SiteMap& before,
+                                                                    const SitePatch& change);
 
   [[nodiscard]] const Site& site() const { return site_; }
   /// Ordered by grid cell, row by row from the lower left.
-  [[nodiscard]] const std::vector<PlacedTag>& tags() const { return tags_; }
+  [[nodiscard]] const std::vector<PlacedTag>& tags() const { return table_->tags(); }
   /// Site-frame place of a registered and placed tag.
-  [[nodiscard]] std::optional<Point> find(const TagUid& uid) const;
+  [[nodiscard]] std::optional<Point> find(const TagUid& uid) const { return table_->find(uid); }
   /// Calls visit(const PlacedTag&) for every tag within `radius` of `centre`, in the order of tags().
   template <class Visit>
-  void forEachNear(Point centre, Metres radius, Visit&& visit) const;
+  void forEachNear(Point centre, Metres radius, Visit&& visit) const {
+    table_->forEachNear(centre, radius, std::forward<Visit>(visit));
+  }
   [[nodiscard]] const Route* route(const std::string& name) const;
   [[nodiscard]] const VehicleSetup* vehicle(VehicleId id) const;
 
 private:
   SiteMap() = default;
-  void sortIntoGrid(std::vector<PlacedTag> tags);
-  [[nodiscard]] bool hashTags();
-  [[nodiscard]] bool fillTable(std::size_t capacity, std::uint64_t salt);
-  [[nodiscard]] std::size_t column(double x) const { return cell((x - left_) / cellSize_, columns_); }
-  [[nodiscard]] std::size_t row(double y) const { return cell((y - bottom_) / cellSize_, rows_); }
-  // Whatever lies outside the grid, or is no number, counts to its edge.
-  [[nodiscard]] static std::size_t cell(double at, std::size_t count) {
-    if (!(at > 0.0)) return 0;
-    return at >= static_cast<double>(count) ? count - 1 : static_cast<std::size_t>(at);
-  }
-
+  static Result<std::shared_ptr<const SiteMap>> with(Site site, std::shared_ptr<const TagTable> table);
   Site site_;
-  std::vector<PlacedTag> tags_;
-  // Grid: the tags of cell c are tags_[cellStart_[c]] up to tags_[cellStart_[c + 1]]; the cells of a row follow one
-  // another, so that a stretch of a row is one run of tags.
-  double left_ = 0.0;
-  double bottom_ = 0.0;
-  double cellSize_ = 1.0;
-  std::size_t columns_ = 1;
-  std::size_t rows_ = 1;
-  std::vector<std::uint32_t> cellStart_;
-  // Open addressing with linear probing, at most half full: index into tags_ plus one, 0 = empty.
-  std::vector<std::uint32_t> table_;
-  std::uint64_t salt_ = 0;
+  std::shared_ptr<const TagTable> table_;
 };
-
-template <class Visit>
-void SiteMap::forEachNear(Point centre, Metres radius, Visit&& visit) const {
-  const double x = centre.x.value();
-  const double y = centre.y.value();
-  const double r = radius.value();
-  if (tags_.empty() || !(r >= 0.0)) return;
-  // A hair wider than r: a tag on a cell's edge at just that distance must not be lost to rounding.
-  const double reach = r + 1e-9 * (1.0 + r + std::abs(x) + std::abs(y));
-  const std::size_t firstColumn = column(x - reach);
-  const std::size_t lastColumn = column(x + reach);
-  const std::size_t lastRow = row(y + reach);
-  for (std::size_t at = row(y - reach); at <= lastRow; ++at) {
-    const std::size_t end = cellStart_[at * columns_ + lastColumn + 1];
-    for (std::size_t i = cellStart_[at * columns_ + firstColumn]; i < end; ++i) {
-      const PlacedTag& tag = tags_[i];
-      if (std::hypot(tag.place.x.value() - x, tag.place.y.value() - y) <= r) visit(tag);
-    }
-  }
-}
 
 }  // namespace tessera::floor

@@ -127,6 +127,10 @@ std::size_t SitePatch::items() const {
   return n;
 }
 
+bool SitePatch::movesTags() const {
+  return !(tileTypes_.empty() && tiles_.empty() && placements_.empty() && looseTags_.empty());
+}
+
 void SitePatch::apply(Site& site) const {
   forEachPart(*this, site, [](const auto& patch, auto& part) { put(patch, part, Way::Forward); });
 }

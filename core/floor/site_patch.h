@@ -34,6 +34,8 @@ public:
   SitePatch(const Site& before, const Site& after);
 
   [[nodiscard]] bool empty() const { return items() == 0; }
+  /// Whether tile types, tiles, placements or loose tags differ, so that a tag may be somewhere else.
+  [[nodiscard]] bool movesTags() const;
   /// Tiles, routes and the like that the patch holds, the older and the newer ones: what it costs to keep.
   [[nodiscard]] std::size_t items() const;
   /// Makes the newer site of the older. `site` has to be the one that the patch was made of.

@@ -9,19 +9,20 @@ namespace tessera::ui {
 // Keeps what differs, not two sites: a day's work on a large floor is thousands of steps.
 class EditSite : public QUndoCommand {
 public:
-  EditSite(SiteDocument& document, const QString& step, std::shared_ptr<const floor::SiteMap> after, int mergeKey)
+  EditSite(SiteDocument& document, const QString& step, floor::SitePatch patch,
+           std::shared_ptr<const floor::SiteMap> after, int mergeKey)
       : QUndoCommand{step},
         document_{document},
-        patch_{document.site(), after->site()},
+        patch_{std::move(patch)},
         first_{std::move(after)},
         mergeKey_{mergeKey} {}
 
-  void undo() override { document_.show(built(back(document_.site()))); }
+  void undo() override { show(back(document_.site())); }
   void redo() override {
     if (first_) return document_.show(std::exchange(first_, nullptr));
     floor::Site site = document_.site();
     patch_.apply(site);
-    document_.show(built(std::move(site)));
+    show(std::move(site));
   }
   [[nodiscard]] int id() const override { return mergeKey_ == 0 ? -1 : mergeKey_; }
   // The document shows what the later step led to.
@@ -39,10 +40,8 @@ private:
     return site;
   }
   // The site was one like this before, so that it is good again.
-  static std::shared_ptr<const floor::SiteMap> built(floor::Site site) {
-    auto map = floor::SiteMap::build(std::move(site));
-    Q_ASSERT(map);
-    return *std::move(map);
+  void show(floor::Site site) {
+    if (auto map = floor::SiteMap::build(std::move(site), *document_.map(), patch_)) document_.show(*std::move(map));
   }
 
   SiteDocument& document_;
@@ -74,15 +73,17 @@ void SiteDocument::markSaved() { undo_.setClean(); }
 Result<void> SiteDocument::edit(const QString& step, const std::function<void(floor::Site&)>& change, int mergeKey) {
   floor::Site after = site();
   change(after);
-  if (after == site()) return {};
-  auto map = floor::SiteMap::build(std::move(after));
+  floor::SitePatch patch{site(), after};
+  if (patch.empty()) return {};
+  auto map = floor::SiteMap::build(std::move(after), *map_, patch);
   if (!map) return tl::unexpected{map.error()};
-  undo_.push(new EditSite{*this, step, *std::move(map), mergeKey});
+  undo_.push(new EditSite{*this, step, std::move(patch), *std::move(map), mergeKey});
   return {};
 }
 
 void SiteDocument::restore(const QString& step, std::shared_ptr<const floor::SiteMap> map) {
-  undo_.push(new EditSite{*this, step, std::move(map), 0});
+  floor::SitePatch patch{site(), map->site()};
+  undo_.push(new EditSite{*this, step, std::move(patch), std::move(map), 0});
 }
 
 void SiteDocument::show(std::shared_ptr<const floor::SiteMap> map) {

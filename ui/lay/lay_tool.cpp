@@ -31,7 +31,7 @@ void LayTool::finish(const Result<void>& result) {
 }
 
 void LayTool::takeUpSite() {
-  gesture_ = {};
+  gesture_.emplace<std::monostate>();
   stamp_.reset();
   ghost_.reset();
   rule_ = floor::serialRuleOf(document_.site());
@@ -50,7 +50,7 @@ void LayTool::documentChanged() {
     Q_EMIT settingsChanged();
   }
   if (editing_) return;
-  gesture_ = {};
+  gesture_.emplace<std::monostate>();
   if (!chosen_.empty()) {
     TileSet left;
     for (const floor::Placement& placement : document_.site().placements)
@@ -63,7 +63,7 @@ void LayTool::documentChanged() {
 void LayTool::setMode(Mode mode) {
   if (mode == mode_ && !stamp_) return;
   mode_ = mode;
-  gesture_ = {};
+  gesture_.emplace<std::monostate>();
   stamp_.reset();
   ghost_.reset();
   if (mode == Mode::Lay) choose({});
@@ -74,7 +74,7 @@ void LayTool::setMode(Mode mode) {
 void LayTool::setBrush(const std::string& type) {
   if (type == brush_) return;
   brush_ = type;
-  gesture_ = {};
+  gesture_.emplace<std::monostate>();
   ghost_.reset();
   Q_EMIT settingsChanged();
   touch();
@@ -161,7 +161,7 @@ void LayTool::copy() {
 
 void LayTool::paste() {
   if (copy_.tiles.empty()) return;
-  gesture_ = {};
+  gesture_.emplace<std::monostate>();
   stamp_ = copy_;
   ghost_.reset();
   Q_EMIT settingsChanged();

@@ -113,7 +113,7 @@ bool LayTool::command(const QKeyEvent& event) {
 bool LayTool::cancel() {
   if (inGesture()) {
     if (const auto* band = std::get_if<LayBand>(&gesture_)) choose(band->before);
-    gesture_ = {};
+    gesture_.emplace<std::monostate>();
   } else if (stamp_) {
     stamp_.reset();
     ghost_.reset();

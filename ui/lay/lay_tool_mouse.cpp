@@ -173,7 +173,8 @@ bool LayTool::mouseReleased(const ToolMouse& mouse, const CanvasScene& scene) {
   mouse_ = mouse;
   if (mouse.button != Qt::LeftButton) return true;
   // The document changes in here: the gesture is over before it does.
-  const LayGesture done = std::exchange(gesture_, {});
+  const LayGesture done = std::move(gesture_);
+  gesture_.emplace<std::monostate>();
   if (const auto* stroke = std::get_if<LayStroke>(&done)) {
     layBoxes(stroke->boxes());
   } else if (const auto* fill = std::get_if<LayFill>(&done)) {
