@@ -126,6 +126,7 @@ void Keeper::onSaved(const QString& path) {
   // Under its new name it is another site; what the old file holds did not change.
   if (!old.empty() && old != key_) store_->removeSite(old);
   keepSite(false);
+  if (old != key_) Q_EMIT keyChanged(QString::fromStdString(old));
 }
 
 void Keeper::onGivenUp(const QString& path) {

@@ -39,7 +39,10 @@ public:
   /// The latest first.
   [[nodiscard]] std::vector<Homeless> homeless();
   /// The open site is the one that was kept under this key.
-  void goOnAs(const std::string& key) { use(key); }
+  void goOnAs(const std::string& key) {
+    use(key);
+    Q_EMIT keyChanged({});
+  }
   /// Under which the open site is kept.
   [[nodiscard]] const std::string& key() const { return key_; }
   void forget(const std::string& key) { store_->removeSite(key); }
@@ -76,6 +79,9 @@ Q_SIGNALS:
   void revisionsListed(quint64 request, const std::vector<tessera::store::Revision>& revisions);
   void revisionLoaded(quint64 request, const std::shared_ptr<const tessera::floor::SiteMap>& map);
   void requestFailed(quint64 request, const QString& sentence);
+  /// The open site is kept under another key from now on. What is kept elsewhere under `before` should come along when
+  /// it is the same site still, as after saving it under another name; `before` is empty when it is not.
+  void keyChanged(const QString& before);
 
 private:
   void keepSite(bool differsFromFile);

@@ -20,6 +20,10 @@ RegisterDesk::RegisterDesk(ui::SiteDocument& document, Keeper& keeper, ui::Floor
   connect(panel_, &ui::RegisterPanel::showRequested, this, [this](const scan::PlaceName& place) {
     if (const auto point = tool_->mark(place)) show(*point);
   });
+  connect(&keeper, &Keeper::keyChanged, this, [this](const QString& before) {
+    if (!before.isEmpty()) notes_.takeFrom(before);
+    panel_->setup().refresh();
+  });
   // Whoever takes another tool has done for now.
   connect(&canvas_, &ui::FloorCanvas::toolChanged, this, [this](ui::CanvasTool* tool) {
     if (tool != tool_.get()) registrar_->end();

@@ -23,12 +23,22 @@ std::optional<scan::PlaceName> placeOf(const QString& word) {
   return scan::PlaceName{serial.toStdString(), static_cast<std::size_t>(tag)};
 }
 
+// A site goes by its key in the database; a path is too long and too odd for the name of a group.
+QString groupOf(const QByteArray& key) {
+  const auto hash = QCryptographicHash::hash(key, QCryptographicHash::Sha1);
+  return QStringLiteral("register/sites/") + QString::fromLatin1(hash.toHex().left(16)) + QLatin1Char{'/'};
+}
+
 }  // namespace
 
-// A site goes by its key in the database; a path is too long and too odd for the name of a group.
-QString RegisterNotes::group() const {
-  const auto hash = QCryptographicHash::hash(QByteArray::fromStdString(keeper_.key()), QCryptographicHash::Sha1);
-  return QStringLiteral("register/sites/") + QString::fromLatin1(hash.toHex().left(16)) + QLatin1Char{'/'};
+QString RegisterNotes::group() const { return groupOf(QByteArray::fromStdString(keeper_.key())); }
+
+void RegisterNotes::takeFrom(const QString& key) {
+  const QString before = groupOf(key.toUtf8());
+  for (const char* name : {"order", "tile", "again", "at", "skipped"})
+    if (store_.contains(before + name)) store_.setValue(group() + name, store_.value(before + name));
+  store_.remove(before.chopped(1));
+  store_.sync();
 }
 
 ui::ReaderChoice RegisterNotes::reader() const {

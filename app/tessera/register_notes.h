@@ -16,6 +16,8 @@ public:
   void setReader(const ui::ReaderChoice& reader) override;
   [[nodiscard]] std::optional<scan::Course> course() const override;
   void keep(const std::optional<scan::Course>& course) override;
+  /// What was noted of the site that had this key is now noted of the open one.
+  void takeFrom(const QString& key);
 
 private:
   [[nodiscard]] QString group() const;

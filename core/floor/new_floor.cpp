@@ -46,7 +46,9 @@ std::span<const TileType> usualTileTypes() {
 }
 
 Result<Site> layNewFloor(const NewFloor& wish) {
+  const bool empty = wish.columns == 0 && wish.rows == 0;
   for (const int count : {wish.columns, wish.rows}) {
+    if (empty) break;
     if (count < 1 || count > NewFloor::kMost)
       return failure(
           phrase("Core", "A floor has 1 to %1 tiles along each side, not %2.").with(int{NewFloor::kMost}, count));
@@ -65,6 +67,7 @@ Result<Site> layNewFloor(const NewFloor& wish) {
       site.tiles.push_back(std::move(tile));
     }
   }
+  if (empty) return site;
   const Metres right = wish.columns * wish.type.width;
   const Metres top = wish.rows * wish.type.height;
   site.zones = {{"Floor", ZoneKind::Running, {{}, {right, {}}, {right, top}, {{}, top}}, {}, {}}};

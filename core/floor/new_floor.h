@@ -19,7 +19,7 @@ struct NewFloor {
   std::string name;
   TileType type;
   int columns = 5;  ///< tiles along x, 1 to kMost
-  int rows = 4;     ///< tiles along y, 1 to kMost
+  int rows = 4;     ///< tiles along y, 1 to kMost; 0 of both: an empty floor, its tiles are laid by hand
   /// Give every tag a made-up UID and put a vehicle in the middle, so that it can drive in the simulated world at once.
   /// False: no vehicles, and the tiles' tags are not registered yet.
   bool practice = false;
@@ -27,7 +27,7 @@ struct NewFloor {
 };
 
 /// Serial numbers T-0001, ..., row by row from the lower left corner, which is the site's origin; one running zone over
-/// all. The same site for the same wish. Error: a count out of range, or a type without tags.
+/// all, and neither zone nor vehicle where there are no tiles. The same site for the same wish. Error: a count out of range, or a type without tags.
 [[nodiscard]] Result<Site> layNewFloor(const NewFloor& wish);
 
 }  // namespace tessera::floor

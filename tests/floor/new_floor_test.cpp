@@ -51,6 +51,12 @@ TEST(NewFloor, hasATagInEachUsualTypeAndALatticeThatFitsIt) {
   }
 }
 
+TEST(NewFloor, isEmptyWhereNoTilesAreAskedForAndKeepsTheirType) {
+  const auto site = layNewFloor({"Hall", usualTileTypes()[2], 0, 0, true}).value();
+  EXPECT_EQ(site.tileTypes, std::vector{usualTileTypes()[2]});
+  EXPECT_TRUE(site.placements.empty() && site.tiles.empty() && site.zones.empty() && site.vehicles.empty());
+}
+
 TEST(NewFloor, refusesCountsOutOfRangeAndTypesWithoutTags) {
   auto none = wish(true);
   none.columns = 0;

@@ -18,6 +18,7 @@ NewSiteDialog::NewSiteDialog(QWidget* parent)
   type_.setObjectName(QStringLiteral("tileType"));
   columns_.setObjectName(QStringLiteral("columns"));
   rows_.setObjectName(QStringLiteral("rows"));
+  empty_.setObjectName(QStringLiteral("emptyFloor"));
   practice_.setObjectName(QStringLiteral("practice"));
   for (std::size_t i = 0; i < floor::usualTileTypes().size(); ++i) type_.addItem({});
   for (QSpinBox* box : {&columns_, &rows_}) box->setRange(1, floor::NewFloor::kMost);
@@ -37,6 +38,7 @@ NewSiteDialog::NewSiteDialog(QWidget* parent)
   }
   auto* layout = new QVBoxLayout{this};
   layout->addLayout(form);
+  layout->addWidget(&empty_);
   layout->addWidget(&practice_);
   layout->addWidget(&practiceHint_);
   layout->addStretch();
@@ -46,6 +48,11 @@ NewSiteDialog::NewSiteDialog(QWidget* parent)
   connect(&type_, &QComboBox::currentIndexChanged, this, &NewSiteDialog::showSize);
   connect(&columns_, &QSpinBox::valueChanged, this, &NewSiteDialog::showSize);
   connect(&rows_, &QSpinBox::valueChanged, this, &NewSiteDialog::showSize);
+  connect(&empty_, &QCheckBox::toggled, this, &NewSiteDialog::showSize);
+  connect(&empty_, &QCheckBox::toggled, this, [this](bool empty) {
+    for (QWidget* field : std::initializer_list<QWidget*>{&columns_, &rows_, &practice_, &practiceHint_})
+      field->setEnabled(!empty);
+  });
   retranslate();
   name_.setText(tr("My floor"));
   name_.selectAll();
@@ -54,8 +61,9 @@ NewSiteDialog::NewSiteDialog(QWidget* parent)
 floor::NewFloor NewSiteDialog::wish() const {
   const QString name = name_.text().trimmed();
   const auto& type = floor::usualTileTypes()[static_cast<std::size_t>(std::max(0, type_.currentIndex()))];
-  return {(name.isEmpty() ? tr("My floor") : name).toStdString(), type, columns_.value(), rows_.value(),
-          practice_.isChecked()};
+  const std::string called = (name.isEmpty() ? tr("My floor") : name).toStdString();
+  if (empty_.isChecked()) return {called, type, 0, 0, false};
+  return {called, type, columns_.value(), rows_.value(), practice_.isChecked()};
 }
 
 void NewSiteDialog::changeEvent(QEvent* event) {
@@ -70,6 +78,7 @@ void NewSiteDialog::retranslate() {
   columnsLabel_.setText(tr("Tiles &across (x):"));
   rowsLabel_.setText(tr("Tiles &up (y):"));
   sizeLabel_.setText(tr("Size:"));
+  empty_.setText(tr("&Empty floor: the tiles are laid by hand afterwards"));
   practice_.setText(tr("&Practice tags, for simulated vehicles"));
   practiceHint_.setText(
       tr("Practice tags have made-up numbers, so that you can try everything in the simulated world. On a real floor "
@@ -90,6 +99,7 @@ void NewSiteDialog::showSize() {
   const QLocale locale;
   const auto w = wish();
   const auto metres = [&](int count, Metres one) { return locale.toString(count * one.value(), 'f', 2); };
+  if (w.columns == 0) return size_.setText(tr("no tiles yet"));
   const int tags = w.columns * w.rows * static_cast<int>(floor::tagOffsets(w.type).size());
   size_.setText(
       tr("%1 × %2 m, %n tag(s)", nullptr, tags).arg(metres(w.columns, w.type.width), metres(w.rows, w.type.height)));

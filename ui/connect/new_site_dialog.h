@@ -1,4 +1,4 @@
-// A new site: its name and a first floor of equal tiles, drawn while it is chosen.
+// A new site: its name, and a first floor of equal tiles or an empty one.
 #pragma once
 
 #include <QCheckBox>
@@ -37,6 +37,7 @@ private:
   QSpinBox rows_;
   QLabel sizeLabel_;
   QLabel size_;
+  QCheckBox empty_;
   QCheckBox practice_;
   QLabel practiceHint_;
   QDialogButtonBox buttons_;

@@ -1,6 +1,8 @@
 #include "app/desktop/desktop_fixture.h"
 
 #include <QApplication>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPointer>
 #include <QPushButton>
@@ -88,6 +90,21 @@ void DesktopTest::inDialogue(const QString& name, const std::function<void(QDial
     if (dialog != nullptr && dialog->isVisible()) dialog->done(QDialog::Rejected);
   });
   look->start();
+}
+
+// Typed letter by letter, the list of completions would take the Return whenever it came up in time; and the dialogue
+// selects the file that it proposes once it has read the folder, which counts more than what is typed.
+void DesktopTest::nameTheFile(const QString& path) {
+  inDialogue(QStringLiteral("QFileDialog"), [path](QDialog& dialog) {
+    auto* name = dialog.findChild<QLineEdit*>("fileNameEdit");
+    const auto taken = [&] {
+      name->clear();
+      name->setText(path);
+      return dynamic_cast<QFileDialog&>(dialog).selectedFiles() == QStringList{path};
+    };
+    EXPECT_TRUE(until(taken));
+    QTest::keyClick(name, Qt::Key_Return);
+  });
 }
 
 void DesktopTest::startDemo() {

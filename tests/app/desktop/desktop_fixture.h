@@ -37,6 +37,8 @@ protected:
   /// Does this with the next dialogue of this name, from within its own loop; call before what opens it. What is left
   /// open of it is closed afterwards.
   void inDialogue(const QString& name, const std::function<void(QDialog&)>& work);
+  /// Answers the next dialogue for a file with this path; call before what opens it.
+  void nameTheFile(const QString& path);
   /// Opens the demo floor from the start page and waits until its vehicle has answered and knows where it is.
   void startDemo();
   [[nodiscard]] supervisor::VehicleView vehicle() const;

@@ -140,5 +140,18 @@ TEST_F(Registering, goesOnAtTheSameTagAfterTheProgramDied) {
   scan("04000003");
 }
 
+TEST_F(Registering, goesOnWhereItWasAfterTheSiteGotAnotherName) {
+  ASSERT_NO_FATAL_FAILURE(start());
+  scan("04000001");
+  pressOnFloor(Qt::Key_Delete);
+  const auto place = registrar().place();
+  QTest::mouseClick(find("scanEnd"), Qt::LeftButton);
+  nameTheFile(home.filePath("other.tessera.json"));
+  ASSERT_TRUE(window->files().saveAs());
+  QTest::mouseClick(find("goOnScanning"), Qt::LeftButton);
+  EXPECT_EQ(registrar().place(), place);
+  EXPECT_EQ(registrar().registration()->progress().skipped, 1U);
+}
+
 }  // namespace
 }  // namespace tessera::desktop
