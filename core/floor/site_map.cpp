@@ -115,7 +115,7 @@ Result<std::shared_ptr<const SiteMap>> SiteMap::build(Site site) {
   return with(std::move(site), *std::move(table));
 }
 
-Result<std::shared_ptr<const SiteMap>> SiteMap::build(Site site, const SiteMap& before, const SitePatch& change) {
+Result<std::shared_ptr<const SiteMap>> SiteMap::rebuild(Site site, const SiteMap& before, const SitePatch& change) {
   return change.movesTags() ? build(std::move(site)) : with(std::move(site), before.table_);
 }
 

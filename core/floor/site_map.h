@@ -22,8 +22,8 @@ public:
   [[nodiscard]] static Result<std::shared_ptr<const SiteMap>> build(Site site);
   /// The same for the site that `change` makes of the one of `before`: what the change leaves alone is not looked at,
   /// and where it leaves the tags alone both maps share their table.
-  [[nodiscard]] static Result<std::shared_ptr<const SiteMap>> build(Site site, const SiteMap& before,
-                                                                    const SitePatch& change);
+  [[nodiscard]] static Result<std::shared_ptr<const SiteMap>> rebuild(Site site, const SiteMap& before,
+                                                                      const SitePatch& change);
 
   [[nodiscard]] const Site& site() const { return site_; }
   /// Ordered by grid cell, row by row from the lower left.

@@ -95,7 +95,7 @@ std::size_t itemsIn(const ListPatch<Item>& patch) {
 template <class Patch, class Part, class Visit>
 void SitePatch::forEachPart(Patch& patch, Part& site, Visit&& visit) {
   // A part that is added to a site does not compile until it stands here.
-  auto& [name, northToY, radio, tileTypes, tiles, placements, looseTags, zones, routes, vehicles] = site;
+  auto& [name, northToY, radio, tileTypes, tiles, placements, looseTags, zones, routes, vehicles, backdrop] = site;
   visit(patch.name_, name);
   visit(patch.northToY_, northToY);
   visit(patch.radio_, radio);
@@ -106,6 +106,7 @@ void SitePatch::forEachPart(Patch& patch, Part& site, Visit&& visit) {
   visit(patch.zones_, zones);
   visit(patch.routes_, routes);
   visit(patch.vehicles_, vehicles);
+  visit(patch.backdrop_, backdrop);
 }
 
 SitePatch::SitePatch(const Site& before, const Site& after)
@@ -118,7 +119,8 @@ SitePatch::SitePatch(const Site& before, const Site& after)
       looseTags_{patchOf(before.looseTags, after.looseTags)},
       zones_{patchOf(before.zones, after.zones)},
       routes_{patchOf(before.routes, after.routes)},
-      vehicles_{patchOf(before.vehicles, after.vehicles)} {}
+      vehicles_{patchOf(before.vehicles, after.vehicles)},
+      backdrop_{patchOf(before.backdrop, after.backdrop)} {}
 
 std::size_t SitePatch::items() const {
   std::size_t n = 0;

@@ -58,6 +58,7 @@ private:
   ListPatch<Zone> zones_;
   ListPatch<Route> routes_;
   ListPatch<VehicleSetup> vehicles_;
+  ValuePatch<std::optional<Backdrop>> backdrop_;
 };
 
 }  // namespace tessera::floor

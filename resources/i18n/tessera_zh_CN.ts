@@ -4937,6 +4937,14 @@ x %2 m，y %3 m</translation>
             <numerusform>%1 × %2 m，%n 个标签</numerusform>
         </translation>
     </message>
+    <message>
+        <source>&amp;Empty floor: the tiles are laid by hand afterwards</source>
+        <translation>空地面：之后手动铺砖(&amp;E)</translation>
+    </message>
+    <message>
+        <source>no tiles yet</source>
+        <translation>还没有地砖</translation>
+    </message>
 </context>
 <context>
     <name>tessera::ui::Orders</name>

@@ -41,7 +41,7 @@ private:
   }
   // The site was one like this before, so that it is good again.
   void show(floor::Site site) {
-    if (auto map = floor::SiteMap::build(std::move(site), *document_.map(), patch_)) document_.show(*std::move(map));
+    if (auto map = floor::SiteMap::rebuild(std::move(site), *document_.map(), patch_)) document_.show(*std::move(map));
   }
 
   SiteDocument& document_;
@@ -75,7 +75,7 @@ Result<void> SiteDocument::edit(const QString& step, const std::function<void(fl
   change(after);
   floor::SitePatch patch{site(), after};
   if (patch.empty()) return {};
-  auto map = floor::SiteMap::build(std::move(after), *map_, patch);
+  auto map = floor::SiteMap::rebuild(std::move(after), *map_, patch);
   if (!map) return tl::unexpected{map.error()};
   undo_.push(new EditSite{*this, step, std::move(patch), *std::move(map), mergeKey});
   return {};
