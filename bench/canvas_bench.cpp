@@ -216,8 +216,8 @@ void measure(int tags, int vehicles, bool plan = false) {
   const QMetaObject::Connection shown =
       QObject::connect(&document, &ui::SiteDocument::changed, &canvas, [&] { canvas.setMap(document.map()); });
   row(tags, vehicles, "edit: turn a tile, and draw it", timed(6, [&](int n) {
-        static_cast<void>(document.edit("Turn", [&](floor::Site& site) {
-          auto& placement = site.placements.at(static_cast<std::size_t>(n));
+        static_cast<void>(document.edit("Turn", [&](floor::Site& edited) {
+          auto& placement = edited.placements.at(static_cast<std::size_t>(n));
           placement.quarterTurns = 1 - placement.quarterTurns;
         }));
         draw();
