@@ -42,8 +42,8 @@ packages=$PWD/build/packages
 mkdir -p "$packages"
 # Without the dependency cpack would first build everything; what is packed is built below.
 [ -f "$build/CMakeCache.txt" ] ||
-  cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF -DTESSERA_ARM_FIRMWARE=OFF \
-    -DCMAKE_SKIP_INSTALL_ALL_DEPENDENCY=ON
+  cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DBUILD_TESTING=OFF \
+    -DTESSERA_ARM_FIRMWARE=OFF -DCMAKE_SKIP_INSTALL_ALL_DEPENDENCY=ON
 nice cmake --build "$build" -j "${TESSERA_JOBS:-$(nproc)}" \
   --target tessera tessera-cli tessera-world tessera_installed_files
 
