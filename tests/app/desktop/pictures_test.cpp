@@ -17,6 +17,7 @@
 #include "floor/site_json.h"
 #include "ui/canvas/floor_canvas.h"
 #include "ui/commission/commission_wizard.h"
+#include "ui/commission/jog_dialog.h"
 #include "ui/connect/connect_dialog.h"
 #include "ui/help/about_dialog.h"
 #include "ui/help/help_window.h"
@@ -234,6 +235,40 @@ TEST_F(Pictures, showTheDialoguesWhole) {
     help.showTopic(QStringLiteral("routes"));
     help.show();
     take(help, QStringLiteral("help"), dress);
+  }
+}
+
+TEST_F(Pictures, showTheBoxesThatAskWhole) {
+  ASSERT_NO_FATAL_FAILURE(openWindow(false));
+  ASSERT_NO_FATAL_FAILURE(startDemo());
+  ASSERT_TRUE(window->document().edit("Rename", [](floor::Site& site) { site.name += " 2"; }));
+  for (const Dress& dress : kDresses) {
+    wear(dress);
+    trigger("jog");
+    auto* jog = window->findChild<ui::JogDialog*>();
+    ASSERT_TRUE(until([&] { return jog->isVisible(); }));
+    take(*jog, QStringLiteral("jog"), dress);
+    jog->close();
+    const auto inBox = [&](const char* name, const char* view) {
+      inDialogue(QString::fromLatin1(name), [this, view, &dress](QDialog& box) {
+        take(box, QString::fromLatin1(view), dress);
+        QTest::keyClick(&box, Qt::Key_Escape);
+      });
+    };
+    inBox("saveQuestion", "question-save");
+    EXPECT_FALSE(window->files().mayLeave());
+    inBox("radioDialog", "radio");
+    trigger("radio");
+  }
+}
+
+TEST_F(Pictures, showTheNewSiteBoxWhole) {
+  ASSERT_NO_FATAL_FAILURE(openWindow(false));
+  for (const Dress& dress : kDresses) {
+    wear(dress);
+    inDialogue(QStringLiteral("newSiteDialog"),
+               [this, &dress](QDialog& dialog) { take(dialog, QStringLiteral("new-site"), dress); });
+    EXPECT_FALSE(window->files().create());
   }
 }
 
