@@ -11,8 +11,11 @@
 #include <QSvgRenderer>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
+#include <cstdlib>
 
 #include "canvas_site.h"
+#include "floor/site_json.h"
 #include "ui/print/map_picture_dialog.h"
 
 namespace tessera::ui {
@@ -57,6 +60,46 @@ TEST_F(Picture, isToScaleInLines) {
   ASSERT_TRUE(svg.isValid());
   EXPECT_NEAR(svg.viewBoxF().width(), sheet.size().width(), 0.01);
   ASSERT_TRUE(bytesOf(path("map.svg")).contains("T7")) << "serial numbers stay text";
+}
+
+// Kept files, so that a change of the drawing is seen by whoever makes it. Renewed by copying what the failure names.
+class KeptPicture : public Picture {
+protected:
+  void SetUp() override {
+    auto site = floor::loadSite(TESSERA_SITES "/paper.tessera.json");
+    ASSERT_TRUE(site) << site.error().sentence;
+    map = floor::SiteMap::build(*std::move(site)).value();
+    wish.scale = 20.0;
+    folder.setAutoRemove(false);
+  }
+  void TearDown() override {
+    if (!HasFailure()) folder.remove();
+  }
+  [[nodiscard]] static QString kept(const char* name) { return QString::fromLatin1(TESSERA_GOLDEN "/") + name; }
+};
+
+TEST_F(KeptPicture, inLinesIsTheSameToTheByte) {
+  ASSERT_TRUE(saveSheet(MapSheet{map, wish}, path("paper.svg")));
+  EXPECT_EQ(bytesOf(path("paper.svg")), bytesOf(kept("paper.svg"))) << path("paper.svg").toStdString();
+}
+
+// Below the title, as letters are drawn as the machine smooths them. Processors round edges differently, by a step or
+// two.
+TEST_F(KeptPicture, inDotsIsTheSameToTheDot) {
+  wish.serials = wish.legend = wish.routes = wish.zones = false;
+  ASSERT_TRUE(saveSheet(MapSheet{map, wish}, path("paper.png")));
+  const QImage made = QImage{path("paper.png")}.convertToFormat(QImage::Format_RGB32);
+  const QImage before = QImage{kept("paper.png")}.convertToFormat(QImage::Format_RGB32);
+  ASSERT_EQ(made.size(), before.size()) << path("paper.png").toStdString();
+  int most = 0;
+  for (int y = made.height() / 6; y < made.height(); ++y)
+    for (int x = 0; x < made.width(); ++x) {
+      const QColor a = made.pixelColor(x, y);
+      const QColor b = before.pixelColor(x, y);
+      most =
+          std::max({most, std::abs(a.red() - b.red()), std::abs(a.green() - b.green()), std::abs(a.blue() - b.blue())});
+    }
+  EXPECT_LE(most, 2) << path("paper.png").toStdString();
 }
 
 TEST_F(Picture, isAPageOfItsOwnSize) {
