@@ -125,6 +125,8 @@ QWidget* RoutePanel::makeDetails() {
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setTabKeyNavigation(false);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(VertexModel::kSpeed, QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setHighlightSections(false);  // bold is wider than the column
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
   table_->setContextMenuPolicy(Qt::ActionsContextMenu);
   table_->addActions({insertVertex_, deleteVertex_, split_});

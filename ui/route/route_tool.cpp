@@ -3,60 +3,26 @@
 #include <QApplication>
 #include <QWidget>
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "ui/base/wording.h"
 #include "ui/canvas/route_painter.h"
 
 namespace tessera::ui {
 namespace {
 
-constexpr double kVertexReach = 10.0;
-constexpr double kMiddleReach = 8.0;
 constexpr double kLegReach = 7.0;
-constexpr double kMiddleFrom = 44.0;  // pixels of a leg that has room for a handle in its middle
 constexpr int kFirstNudgeKey = 1'000'000;
-
-double pixelsBetween(QPointF a, QPointF b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
 
 }  // namespace
 
 RouteTool::RouteTool(SiteDocument& document, Selection& selection, QWidget* window)
-    : CanvasTool{window},
-      document_{document},
-      selection_{selection},
-      edits_{document},
-      window_{window},
-      nudges_{kFirstNudgeKey} {
+    : DraftTool{document, selection, window, kFirstNudgeKey, RouteEdits::kMostVertices}, edits_{document} {
   connect(&document_, &SiteDocument::changed, this, &RouteTool::documentChanged);
-  connect(&document_, &SiteDocument::replaced, this, [this] {
-    drawing_ = false;
-    forgetUnfinished();
-  });
   connect(&selection_, &Selection::routeChanged, this, [this] {
     drag_.reset();
     setVertex(std::nullopt);
     touch();
   });
-}
-
-void RouteTool::touch() {
-  Q_EMIT changed();
-  Q_EMIT hintChanged(hint());
-}
-
-void RouteTool::tell(const Result<void>& result) {
-  if (!result) Q_EMIT refused(text(result.error().sentence));
-}
-
-void RouteTool::forgetUnfinished() {
-  draft_.clear();
-  takenBack_.clear();
-  drag_.reset();
-  hover_ = {};
-  setVertex(std::nullopt);
-  touch();
 }
 
 void RouteTool::documentChanged() {
@@ -66,11 +32,6 @@ void RouteTool::documentChanged() {
   if (const floor::Route* r = route(); vertex_ && (r == nullptr || *vertex_ >= r->vertices.size()))
     setVertex(std::nullopt);
   touch();
-}
-
-void RouteTool::startDrawing() {
-  drawing_ = true;
-  forgetUnfinished();
 }
 
 void RouteTool::setVertex(std::optional<std::size_t> vertex) {
@@ -85,25 +46,15 @@ void RouteTool::setVertex(std::optional<std::size_t> vertex) {
 RouteTool::Hit RouteTool::hitAt(QPointF pixel, const CanvasScene& scene) const {
   const floor::Route* r = route();
   if (r == nullptr) return {};
-  Hit hit;
-  double nearest = kVertexReach;
-  for (std::size_t n = 0; n < r->vertices.size(); ++n) {
-    const double away = pixelsBetween(scene.view.toPixel(r->vertices[n]), pixel);
-    if (away > nearest) continue;
-    nearest = away;
-    hit = {Hit::Kind::Vertex, n};
-  }
-  if (hit.kind != Hit::Kind::None) return hit;
-  nearest = kMiddleReach;
-  for (std::size_t n = 0; n + 1 < r->vertices.size(); ++n) {
-    const QPointF a = scene.view.toPixel(r->vertices[n]);
-    const QPointF b = scene.view.toPixel(r->vertices[n + 1]);
-    const double away = pixelsBetween((a + b) / 2, pixel);
-    if (away > nearest || pixelsBetween(a, b) < kMiddleFrom) continue;
-    nearest = away;
-    hit = {Hit::Kind::Middle, n};
-  }
-  return hit;
+  if (const auto vertex = pointAt(scene.view, r->vertices, pixel)) return {Hit::Kind::Vertex, *vertex};
+  if (const auto leg = middleAt(scene.view, r->vertices, false, pixel)) return {Hit::Kind::Middle, *leg};
+  return {};
+}
+
+bool RouteTool::dropChoice() {
+  const bool any = vertex_.has_value();
+  setVertex(std::nullopt);
+  return any;
 }
 
 std::optional<std::size_t> RouteTool::legAt(const floor::Route& route, QPointF pixel, const View& view) const {
@@ -134,9 +85,9 @@ Snap RouteTool::snapAt(const ToolMouse& mouse, const CanvasScene& scene) const {
   SnapWish wish;
   wish.off = mouse.modifiers.testFlag(Qt::AltModifier);
   const bool straight = mouse.modifiers.testFlag(Qt::ShiftModifier);
-  if (drawing_) {
-    wish.vertices = draft_;
-    if (straight && !draft_.empty()) wish.from = draft_.back();
+  if (isDrawing()) {
+    wish.vertices = draft();
+    if (straight && !draft().empty()) wish.from = draft().back();
   } else if (drag_ && straight) {
     // From the vertex before; the first one from the one after.
     wish.from = drag_->route.vertices[drag_->index > 0 ? drag_->index - 1 : 1];
@@ -151,8 +102,8 @@ bool RouteTool::mousePressed(const ToolMouse& mouse, const CanvasScene& scene) {
     return true;
   }
   if (mouse.button != Qt::LeftButton) return false;
-  if (drawing_) {
-    addVertex(snapAt(mouse, scene).place);
+  if (isDrawing()) {
+    addPoint(snapAt(mouse, scene).place);
     return true;
   }
   const Hit hit = hitAt(mouse.pixel, scene);
@@ -178,7 +129,7 @@ bool RouteTool::mouseMoved(const ToolMouse& mouse, const CanvasScene& scene) {
     Q_EMIT changed();
     return true;
   }
-  if (drawing_) {
+  if (isDrawing()) {
     pointer_ = snapAt(mouse, scene);
     Q_EMIT changed();
     return true;
@@ -198,41 +149,23 @@ bool RouteTool::mouseReleased(const ToolMouse& mouse, const CanvasScene& /*scene
 
 bool RouteTool::mouseDoubleClicked(const ToolMouse& mouse, const CanvasScene& scene) {
   if (mouse.button != Qt::LeftButton) return false;
-  if (!drawing_) return hitAt(mouse.pixel, scene).kind != Hit::Kind::None;
+  if (!isDrawing()) return hitAt(mouse.pixel, scene).kind != Hit::Kind::None;
   // The first of the two clicks has set the vertex here; a hand that trembled in between shall not set another.
-  const bool here = !draft_.empty() && pixelsBetween(scene.view.toPixel(draft_.back()), mouse.pixel) <= kVertexReach;
-  if (!here) addVertex(snapAt(mouse, scene).place);
-  finish();
+  if (!isAtLast(mouse.pixel, scene.view)) addPoint(snapAt(mouse, scene).place);
+  finishDraft();
   return true;
 }
 
-void RouteTool::mouseLeft() {
-  if (drag_) return;
-  pointer_.reset();
-  hover_ = {};
-  Q_EMIT changed();
-}
-
-void RouteTool::addVertex(Point place) {
-  if (draft_.size() >= RouteEdits::kMostVertices) return;
-  if (!draft_.empty() && draft_.back() == place) return;
-  draft_.push_back(place);
-  takenBack_.clear();
-  touch();
-}
-
-void RouteTool::finish() {
-  if (draft_.size() < 2) {
+void RouteTool::finishDraft() {
+  if (draft().size() < 2) {
     Q_EMIT refused(tr("A route needs at least two vertices."));
     return;
   }
   editing_ = true;
-  const auto name = edits_.add(draft_);
+  const auto name = edits_.add(draft());
   editing_ = false;
-  if (!name) return tell(tl::unexpected{name.error()});
-  drawing_ = false;
-  pointer_.reset();
-  forgetUnfinished();
+  if (!tell(name)) return;
+  endDrawing();
   selection_.setRoute(*name);
   Q_EMIT finished(*name);
 }

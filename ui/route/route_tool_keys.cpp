@@ -1,137 +1,33 @@
-// Keys and menus of the route tool, and what can be taken back.
+// Keys and menus of the route tool.
 #include <QMenu>
 
 #include "ui/route/route_tool.h"
 
 namespace tessera::ui {
-namespace {
 
-constexpr Metres kNudge{0.01};
-constexpr Metres kLongNudge{0.10};
+bool RouteTool::wantsToEdit(const QKeyEvent& event) const { return vertex_ && (isDeleteKey(event) || nudgeOf(event)); }
 
-std::optional<Offset> arrowOf(const QKeyEvent& event) {
-  const Metres step = event.modifiers().testFlag(Qt::ShiftModifier) ? kLongNudge : kNudge;
-  switch (event.key()) {
-    case Qt::Key_Left:
-      return Offset{-step, {}};
-    case Qt::Key_Right:
-      return Offset{step, {}};
-    case Qt::Key_Up:
-      return Offset{{}, step};
-    case Qt::Key_Down:
-      return Offset{{}, -step};
-    default:
-      return std::nullopt;
-  }
-}
-
-bool isDelete(const QKeyEvent& event) { return event.key() == Qt::Key_Delete || event.key() == Qt::Key_Backspace; }
-
-}  // namespace
-
-bool RouteTool::wantsShortcut(const QKeyEvent& event) const {
-  if (event.key() == Qt::Key_Escape) return true;
-  const bool steps = event.matches(QKeySequence::Undo) || event.matches(QKeySequence::Redo);
-  if (drag_) return steps;
-  if (drawing_) {
-    const bool ends = event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
-    return isDelete(event) || ends || (steps && !(draft_.empty() && takenBack_.empty()));
-  }
-  return vertex_ && (isDelete(event) || arrowOf(event));
-}
-
-bool RouteTool::keyPressed(QKeyEvent& event, const CanvasScene& scene) {
-  modifiersChanged(event.modifiers(), scene);
-  if (event.matches(QKeySequence::Undo)) return undo();
-  if (event.matches(QKeySequence::Redo)) return redo();
-  return drawing_ ? drawingKey(event) : editingKey(event);
-}
-
-bool RouteTool::keyReleased(QKeyEvent& event, const CanvasScene& scene) {
-  modifiersChanged(event.modifiers(), scene);
-  return false;
-}
-
-// Shift and Alt take effect at once, not only when the mouse moves on.
-void RouteTool::modifiersChanged(Qt::KeyboardModifiers modifiers, const CanvasScene& scene) {
-  if (modifiers == mouse_.modifiers || !pointer_) return;
-  mouse_.modifiers = modifiers;
-  mouseMoved(ToolMouse{mouse_}, scene);
-}
-
-bool RouteTool::drawingKey(QKeyEvent& event) {
-  if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) {
-    finish();
-    return true;
-  }
-  if (!isDelete(event)) return false;
-  undo();
-  return true;
-}
-
-bool RouteTool::editingKey(QKeyEvent& event) {
-  if (!vertex_ || drag_) return false;
-  if (isDelete(event)) {
+bool RouteTool::editingKey(const QKeyEvent& event) {
+  if (!vertex_) return false;
+  if (isDeleteKey(event)) {
     removeVertex(*vertex_);
     return true;
   }
-  const auto arrow = arrowOf(event);
-  if (arrow) nudge(*arrow);
-  return arrow.has_value();
-}
-
-bool RouteTool::cancel() {
-  if (drag_) {
-    drag_.reset();
-    pointer_.reset();
-    touch();
-    return true;
-  }
-  if (drawing_ && !draft_.empty()) {
-    draft_.clear();
-    takenBack_.clear();
-    touch();
-    return true;
-  }
-  if (drawing_) {
-    drawing_ = false;
-    pointer_.reset();
-    takenBack_.clear();
-    touch();
-    return false;
-  }
-  if (!vertex_) return false;
-  setVertex(std::nullopt);
-  return true;
-}
-
-bool RouteTool::undo() {
-  if (drag_) return cancel();
-  if (!drawing_ || draft_.empty()) return false;
-  takenBack_.push_back(draft_.back());
-  draft_.pop_back();
-  touch();
-  return true;
-}
-
-bool RouteTool::redo() {
-  if (!drawing_ || takenBack_.empty()) return drawing_ && !draft_.empty();
-  draft_.push_back(takenBack_.back());
-  takenBack_.pop_back();
-  touch();
-  return true;
+  const auto by = nudgeOf(event);
+  if (by) nudge(*by);
+  return by.has_value();
 }
 
 QCursor RouteTool::cursor() const {
-  if (drawing_) return Qt::CrossCursor;
+  if (isDrawing()) return Qt::CrossCursor;
   if (drag_) return Qt::SizeAllCursor;
   return hover_.kind == Hit::Kind::None ? Qt::ArrowCursor : Qt::PointingHandCursor;
 }
 
 QString RouteTool::hint() const {
   if (drag_) return tr("Shift: in steps of 45°. Alt: no snapping. Esc: leave it where it was.");
-  if (drawing_ && draft_.empty()) return tr("Click where the route is to begin. Esc: stop drawing.");
-  if (drawing_)
+  if (isDrawing() && draft().empty()) return tr("Click where the route is to begin. Esc: stop drawing.");
+  if (isDrawing())
     return tr(
         "Click the next vertex. Double-click or Enter: finish. Backspace: one back. Shift: in steps of 45°. Alt: "
         "no snapping.");
@@ -144,7 +40,7 @@ void RouteTool::openMenu(const ToolMouse& mouse, const CanvasScene& scene) {
   auto* menu = new QMenu{window_};
   menu->setObjectName("routeMenu");
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  if (drawing_) {
+  if (isDrawing()) {
     fillDrawingMenu(*menu);
   } else {
     fillRouteMenu(*menu, mouse, scene);
@@ -153,10 +49,10 @@ void RouteTool::openMenu(const ToolMouse& mouse, const CanvasScene& scene) {
 }
 
 void RouteTool::fillDrawingMenu(QMenu& menu) {
-  menu.addAction(tr("&Finish route"), this, &RouteTool::finish)->setEnabled(draft_.size() >= 2);
-  menu.addAction(tr("&Remove last vertex"), this, [this] { undo(); })->setEnabled(!draft_.empty());
+  menu.addAction(tr("&Finish route"), this, &RouteTool::finishDraft)->setEnabled(draft().size() >= 2);
+  menu.addAction(tr("&Remove last vertex"), this, [this] { undo(); })->setEnabled(!draft().empty());
   menu.addSeparator();
-  menu.addAction(tr("&Drop route"), this, [this] { cancel(); })->setEnabled(!draft_.empty());
+  menu.addAction(tr("&Drop route"), this, [this] { cancel(); })->setEnabled(!draft().empty());
 }
 
 void RouteTool::fillRouteMenu(QMenu& menu, const ToolMouse& mouse, const CanvasScene& scene) {
@@ -170,11 +66,7 @@ void RouteTool::fillRouteMenu(QMenu& menu, const ToolMouse& mouse, const CanvasS
     setVertex(hit.index);
     menu.addAction(tr("&Delete vertex"), this, [this, n = hit.index] { removeVertex(n); })
         ->setEnabled(chosen->vertices.size() > 2);
-    menu.addAction(tr("&Split route here"), this,
-                   [this, name, n = hit.index] {
-                     const auto rest = edits_.split(name, n);
-                     if (!rest) tell(tl::unexpected{rest.error()});
-                   })
+    menu.addAction(tr("&Split route here"), this, [this, name, n = hit.index] { tell(edits_.split(name, n)); })
         ->setEnabled(hit.index > 0 && hit.index + 1 < chosen->vertices.size());
   } else if (leg) {
     menu.addAction(tr("&Insert vertex here"), this, [this, name, n = *leg + 1, place = snapAt(mouse, scene).place] {
@@ -196,7 +88,7 @@ void RouteTool::fillRouteMenu(QMenu& menu, const ToolMouse& mouse, const CanvasS
   }
   menu.addAction(tr("Draw &new route from here"), this, [this, place = snapAt(mouse, scene).place] {
     startDrawing();
-    addVertex(place);
+    addPoint(place);
   });
 }
 

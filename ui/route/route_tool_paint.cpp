@@ -11,7 +11,6 @@ namespace tessera::ui {
 namespace {
 
 constexpr double kHandle = 5.5;
-constexpr double kLegHandleFrom = 44.0;
 
 }  // namespace
 
@@ -19,18 +18,18 @@ void RouteTool::paint(QPainter& painter, const CanvasScene& scene, const CanvasT
   painter.setRenderHint(QPainter::Antialiasing);
   if (const floor::Route* chosen = route()) {
     const floor::Route& shown = drag_ ? drag_->route : *chosen;
-    paintRoute(painter, scene.view, theme, shown, drawing_ ? RouteLook::Quiet : RouteLook::Chosen);
-    if (!drawing_) paintHandles(painter, scene, theme, shown);
+    paintRoute(painter, scene.view, theme, shown, isDrawing() ? RouteLook::Quiet : RouteLook::Chosen);
+    if (!isDrawing()) paintHandles(painter, scene, theme, shown);
   }
   paintMarks(painter, scene.view, theme, trialFaults_, std::nullopt);
-  if (drawing_) paintDraft(painter, scene, theme);
+  if (isDrawing()) paintDraft(painter, scene, theme);
 }
 
 std::optional<floor::Route> RouteTool::trial() const {
   if (drag_ && route() != nullptr) return drag_->route;
-  if (!drawing_) return std::nullopt;
-  floor::Route drawn{edits_.freeName().toStdString(), draft_, floor::Route{}.controlSpacing};
-  if (pointer_ && !draft_.empty() && draft_.back() != pointer_->place) drawn.vertices.push_back(pointer_->place);
+  if (!isDrawing()) return std::nullopt;
+  floor::Route drawn{edits_.freeName().toStdString(), draft(), floor::Route{}.controlSpacing};
+  if (pointer_ && !draft().empty() && draft().back() != pointer_->place) drawn.vertices.push_back(pointer_->place);
   return drawn.vertices.size() < 2 ? std::nullopt : std::optional{drawn};
 }
 
@@ -56,7 +55,7 @@ void RouteTool::paintHandles(QPainter& painter, const CanvasScene& scene, const 
   const SiteBox seen = view.visible(20.0);
   for (std::size_t n = 0; !drag_ && n + 1 < shown.vertices.size(); ++n) {
     const Point middle = shown.vertices[n] + 0.5 * (shown.vertices[n + 1] - shown.vertices[n]);
-    if (view.pixels(distance(shown.vertices[n], shown.vertices[n + 1])) < kLegHandleFrom || !seen.contains(middle))
+    if (view.pixels(distance(shown.vertices[n], shown.vertices[n + 1])) < kMiddleFrom || !seen.contains(middle))
       continue;
     const bool hot = hover_ == Hit{Hit::Kind::Middle, n};
     paintHandle(painter, view.toPixel(middle), hot ? kHandle + 1 : kHandle - 1, hot ? theme.accent : theme.halo,
@@ -86,20 +85,20 @@ void RouteTool::paintHandles(QPainter& painter, const CanvasScene& scene, const 
 void RouteTool::paintDraft(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme) {
   const View& view = scene.view;
   const QRectF around = QRectF{QPointF{}, view.size()}.adjusted(-20, -20, 20, 20);
-  if (draft_.size() >= 2) {
-    paintRoute(painter, view, theme, floor::Route{{}, draft_, Metres{1e9}}, RouteLook::Chosen);
-  } else if (draft_.size() == 1) {
-    paintHandle(painter, view.toPixel(draft_.front()), kHandle, theme.selectedRoute, theme.halo);
+  if (draft().size() >= 2) {
+    paintRoute(painter, view, theme, floor::Route{{}, draft(), Metres{1e9}}, RouteLook::Chosen);
+  } else if (draft().size() == 1) {
+    paintHandle(painter, view.toPixel(draft().front()), kHandle, theme.selectedRoute, theme.halo);
   }
   if (!pointer_) return;
   QStringList lines;
-  if (!draft_.empty()) {
-    const QLineF band{view.toPixel(draft_.back()), view.toPixel(pointer_->place)};
+  if (!draft().empty()) {
+    const QLineF band{view.toPixel(draft().back()), view.toPixel(pointer_->place)};
     if (const auto seen = clipped(band, around)) {
       painter.setPen(QPen{theme.accent, 2.0, Qt::DashLine, Qt::RoundCap});
       painter.drawLine(*seen);
     }
-    if (draft_.back() != pointer_->place) lines << legText(draft_.back(), pointer_->place, scene.map.site().northToY);
+    if (draft().back() != pointer_->place) lines << legText(draft().back(), pointer_->place, scene.map.site().northToY);
   }
   lines << placeText(pointer_->place);
   if (const QString kind = snapText(pointer_->kind); !kind.isEmpty()) lines << kind;

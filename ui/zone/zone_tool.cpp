@@ -3,59 +3,28 @@
 #include <QApplication>
 #include <QWidget>
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "ui/base/tidy.h"
-#include "ui/base/wording.h"
 #include "ui/zone/zone_shape.h"
 
 namespace tessera::ui {
 namespace {
 
 constexpr double kCornerReach = 10.0;
-constexpr double kMiddleReach = 8.0;
-constexpr double kMiddleFrom = 44.0;            // pixels of an edge that has room for a handle in its middle
 constexpr int kFirstZoneNudgeKey = 31'000'000;  // apart from those of other tools
-
-double pixelsBetween(QPointF a, QPointF b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
 
 }  // namespace
 
 ZoneTool::ZoneTool(SiteDocument& document, Selection& selection, QWidget* window)
-    : CanvasTool{window},
-      document_{document},
-      selection_{selection},
-      edits_{document},
-      window_{window},
-      nudges_{kFirstZoneNudgeKey} {
+    : DraftTool{document, selection, window, kFirstZoneNudgeKey, ZoneEdits::kMostCorners}, edits_{document} {
   connect(&document_, &SiteDocument::changed, this, &ZoneTool::documentChanged);
-  connect(&document_, &SiteDocument::replaced, this, [this] {
-    drawing_ = false;
-    forgetUnfinished();
-  });
   connect(&selection_, &Selection::zoneChanged, this, [this] {
     if (drag_ && drag_->kind != Drag::Kind::Rectangle) drag_.reset();
     ++nudges_;
     setCorner(std::nullopt);
     touch();
   });
-}
-
-void ZoneTool::touch() {
-  Q_EMIT changed();
-  Q_EMIT hintChanged(hint());
-}
-
-void ZoneTool::refuse(const Error& why) { Q_EMIT refused(text(why.sentence)); }
-
-void ZoneTool::forgetUnfinished() {
-  draft_.clear();
-  takenBack_.clear();
-  drag_.reset();
-  hover_ = {};
-  setCorner(std::nullopt);
-  touch();
 }
 
 void ZoneTool::documentChanged() {
@@ -65,11 +34,6 @@ void ZoneTool::documentChanged() {
   if (const floor::Zone* z = zone(); corner_ && (z == nullptr || *corner_ >= z->outline.size()))
     setCorner(std::nullopt);
   touch();
-}
-
-void ZoneTool::startDrawing() {
-  drawing_ = true;
-  forgetUnfinished();
 }
 
 void ZoneTool::setCorner(std::optional<std::size_t> corner) {
@@ -84,30 +48,18 @@ void ZoneTool::setCorner(std::optional<std::size_t> corner) {
 ZoneTool::Hit ZoneTool::hitAt(QPointF pixel, const CanvasScene& scene) const {
   const floor::Zone* z = zone();
   if (z == nullptr) return {};
-  const std::size_t count = z->outline.size();
-  Hit hit;
-  double nearest = kCornerReach;
-  for (std::size_t n = 0; n < count; ++n) {
-    const double away = pixelsBetween(scene.view.toPixel(z->outline[n]), pixel);
-    if (away > nearest) continue;
-    nearest = away;
-    hit = {Hit::Kind::Corner, n};
-  }
-  if (hit.kind != Hit::Kind::None) return hit;
-  nearest = kMiddleReach;
-  for (std::size_t n = 0; n < count; ++n) {
-    const QPointF a = scene.view.toPixel(z->outline[n]);
-    const QPointF b = scene.view.toPixel(z->outline[(n + 1) % count]);
-    const double away = pixelsBetween((a + b) / 2, pixel);
-    if (away > nearest || pixelsBetween(a, b) < kMiddleFrom) continue;
-    nearest = away;
-    hit = {Hit::Kind::Middle, n};
-  }
-  if (hit.kind != Hit::Kind::None) return hit;
+  if (const auto corner = pointAt(scene.view, z->outline, pixel)) return {Hit::Kind::Corner, *corner};
+  if (const auto edge = middleAt(scene.view, z->outline, true, pixel)) return {Hit::Kind::Middle, *edge};
   // Where a smaller zone lies on top, that one is meant.
   const auto under = zonesAt(scene.map.site().zones, scene.view, pixel);
   const bool inside = !under.empty() && scene.map.site().zones[under.front()].name == z->name;
   return inside ? Hit{Hit::Kind::Inside, 0} : Hit{};
+}
+
+bool ZoneTool::dropChoice() {
+  const bool any = corner_.has_value();
+  setCorner(std::nullopt);
+  return any;
 }
 
 Snap ZoneTool::snapAt(const ToolMouse& mouse, const CanvasScene& scene) const {
@@ -122,26 +74,26 @@ Snap ZoneTool::snapAt(const ToolMouse& mouse, const CanvasScene& scene) const {
   } else if (drag_ && drag_->kind != Drag::Kind::Rectangle) {
     const std::size_t count = drag_->outline.size();
     if (straight) wish.from = drag_->outline[(drag_->index + count - 1) % count];
-  } else if (!drag_ && drawing_) {
-    wish.vertices = draft_;
-    if (straight && !draft_.empty()) wish.from = draft_.back();
+  } else if (!drag_ && isDrawing()) {
+    wish.vertices = draft();
+    if (straight && !draft().empty()) wish.from = draft().back();
   }
   return snapped(scene, pixel, wish);
 }
 
 bool ZoneTool::closes(QPointF pixel, const CanvasScene& scene) const {
-  return draft_.size() >= 3 && pixelsBetween(scene.view.toPixel(draft_.front()), pixel) <= kCornerReach;
+  return draft().size() >= 3 && pixelsBetween(scene.view.toPixel(draft().front()), pixel) <= kCornerReach;
 }
 
 bool ZoneTool::pressWhileDrawing(const ToolMouse& mouse, const CanvasScene& scene) {
   const Point place = snapAt(mouse, scene).place;
   if (closes(mouse.pixel, scene)) {
-    finish(draft_);
-  } else if (draft_.empty()) {
+    finishDraft();
+  } else if (draft().empty()) {
     // A click sets the first corner, a drag makes a rectangle: that shows at the release.
     drag_ = Drag{Drag::Kind::Rectangle, {}, {}, 0, place, mouse.pixel, false};
   } else {
-    addCorner(place);
+    addPoint(place);
   }
   return true;
 }
@@ -153,7 +105,7 @@ bool ZoneTool::mousePressed(const ToolMouse& mouse, const CanvasScene& scene) {
     return true;
   }
   if (mouse.button != Qt::LeftButton) return false;
-  if (drawing_) return pressWhileDrawing(mouse, scene);
+  if (isDrawing()) return pressWhileDrawing(mouse, scene);
   const Hit hit = hitAt(mouse.pixel, scene);
   if (hit.kind != Hit::Kind::None) {
     beginDrag(hit, mouse);
@@ -171,7 +123,7 @@ bool ZoneTool::mouseMoved(const ToolMouse& mouse, const CanvasScene& scene) {
     lead(mouse, scene);
     return true;
   }
-  if (drawing_) {
+  if (isDrawing()) {
     pointer_ = snapAt(mouse, scene);
     Q_EMIT changed();
     return true;
@@ -191,37 +143,21 @@ bool ZoneTool::mouseReleased(const ToolMouse& mouse, const CanvasScene& scene) {
 
 bool ZoneTool::mouseDoubleClicked(const ToolMouse& mouse, const CanvasScene& scene) {
   if (mouse.button != Qt::LeftButton) return false;
-  if (!drawing_) return hitAt(mouse.pixel, scene).kind != Hit::Kind::None;
+  if (!isDrawing()) return hitAt(mouse.pixel, scene).kind != Hit::Kind::None;
   // The first of the two clicks has set the corner here; a hand that trembled in between shall not set another.
-  const bool here = !draft_.empty() && pixelsBetween(scene.view.toPixel(draft_.back()), mouse.pixel) <= kCornerReach;
-  if (!here) addCorner(snapAt(mouse, scene).place);
-  finish(draft_);
+  if (!isAtLast(mouse.pixel, scene.view)) addPoint(snapAt(mouse, scene).place);
+  finishDraft();
   return true;
 }
 
-void ZoneTool::mouseLeft() {
-  if (drag_) return;
-  pointer_.reset();
-  hover_ = {};
-  Q_EMIT changed();
-}
-
-void ZoneTool::addCorner(Point place) {
-  if (draft_.size() >= ZoneEdits::kMostCorners) return;
-  if (!draft_.empty() && draft_.back() == place) return;
-  draft_.push_back(place);
-  takenBack_.clear();
-  touch();
-}
+void ZoneTool::finishDraft() { finish(draft()); }
 
 void ZoneTool::finish(const std::vector<Point>& outline) {
   editing_ = true;
   const auto name = edits_.add(kind_, outline);
   editing_ = false;
   if (!tell(name)) return;
-  drawing_ = false;
-  pointer_.reset();
-  forgetUnfinished();
+  endDrawing();
   selection_.setZone(*name);
   Q_EMIT finished(*name);
 }
@@ -269,7 +205,7 @@ void ZoneTool::lead(const ToolMouse& mouse, const CanvasScene& scene) {
 void ZoneTool::endDrag(const CanvasScene& scene) {
   const Drag drag = *std::exchange(drag_, std::nullopt);
   const auto to = std::exchange(pointer_, std::nullopt);
-  if (drag.kind == Drag::Kind::Rectangle) return drag.moved ? finish(drag.outline) : addCorner(drag.begin);
+  if (drag.kind == Drag::Kind::Rectangle) return drag.moved ? finish(drag.outline) : addPoint(drag.begin);
   if (drag.kind == Drag::Kind::Whole && !drag.moved) return clickedInside(drag.pressed, scene);
   const QString name = selection_.zone();
   ++nudges_;

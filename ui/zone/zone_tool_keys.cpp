@@ -1,75 +1,16 @@
-// Keys of the zone tool, and what can be taken back.
+// Keys of the zone tool.
 #include "ui/base/tidy.h"
 #include "ui/zone/zone_tool.h"
 
 namespace tessera::ui {
-namespace {
 
-constexpr Metres kZoneNudge{0.01};
-constexpr Metres kLongZoneNudge{0.10};
-
-std::optional<Offset> arrowOf(const QKeyEvent& event) {
-  const Metres step = event.modifiers().testFlag(Qt::ShiftModifier) ? kLongZoneNudge : kZoneNudge;
-  switch (event.key()) {
-    case Qt::Key_Left:
-      return Offset{-step, {}};
-    case Qt::Key_Right:
-      return Offset{step, {}};
-    case Qt::Key_Up:
-      return Offset{{}, step};
-    case Qt::Key_Down:
-      return Offset{{}, -step};
-    default:
-      return std::nullopt;
-  }
-}
-
-bool isDelete(const QKeyEvent& event) { return event.key() == Qt::Key_Delete || event.key() == Qt::Key_Backspace; }
-bool isEnter(const QKeyEvent& event) { return event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter; }
-
-}  // namespace
-
-bool ZoneTool::wantsShortcut(const QKeyEvent& event) const {
-  if (event.key() == Qt::Key_Escape) return true;
-  const bool steps = event.matches(QKeySequence::Undo) || event.matches(QKeySequence::Redo);
-  if (drag_) return steps;
-  if (drawing_) return isDelete(event) || isEnter(event) || (steps && !(draft_.empty() && takenBack_.empty()));
-  return zone() != nullptr && (isDelete(event) || arrowOf(event));
-}
-
-bool ZoneTool::keyPressed(QKeyEvent& event, const CanvasScene& scene) {
-  modifiersChanged(event.modifiers(), scene);
-  if (event.matches(QKeySequence::Undo)) return undo();
-  if (event.matches(QKeySequence::Redo)) return redo();
-  return drawing_ ? drawingKey(event) : editingKey(event);
-}
-
-bool ZoneTool::keyReleased(QKeyEvent& event, const CanvasScene& scene) {
-  modifiersChanged(event.modifiers(), scene);
-  return false;
-}
-
-// Shift and Alt take effect at once, not only when the mouse moves on.
-void ZoneTool::modifiersChanged(Qt::KeyboardModifiers modifiers, const CanvasScene& scene) {
-  if (modifiers == mouse_.modifiers || !pointer_) return;
-  mouse_.modifiers = modifiers;
-  mouseMoved(ToolMouse{mouse_}, scene);
-}
-
-bool ZoneTool::drawingKey(const QKeyEvent& event) {
-  if (drag_) return false;
-  if (isEnter(event)) {
-    finish(draft_);
-    return true;
-  }
-  if (!isDelete(event)) return false;
-  undo();
-  return true;
+bool ZoneTool::wantsToEdit(const QKeyEvent& event) const {
+  return zone() != nullptr && (isDeleteKey(event) || nudgeOf(event));
 }
 
 bool ZoneTool::editingKey(const QKeyEvent& event) {
-  if (drag_ || zone() == nullptr) return false;
-  if (isDelete(event)) {
+  if (zone() == nullptr) return false;
+  if (isDeleteKey(event)) {
     if (corner_) {
       removeCorner(*corner_);
     } else {
@@ -77,9 +18,9 @@ bool ZoneTool::editingKey(const QKeyEvent& event) {
     }
     return true;
   }
-  const auto arrow = arrowOf(event);
-  if (arrow) nudge(*arrow);
-  return arrow.has_value();
+  const auto by = nudgeOf(event);
+  if (by) nudge(*by);
+  return by.has_value();
 }
 
 void ZoneTool::removeCorner(std::size_t index) {
@@ -97,50 +38,8 @@ void ZoneTool::nudge(Offset by) {
   }
 }
 
-bool ZoneTool::cancel() {
-  if (drag_) {
-    drag_.reset();
-    pointer_.reset();
-    touch();
-    return true;
-  }
-  if (drawing_ && !draft_.empty()) {
-    draft_.clear();
-    takenBack_.clear();
-    touch();
-    return true;
-  }
-  if (drawing_) {
-    drawing_ = false;
-    pointer_.reset();
-    takenBack_.clear();
-    touch();
-    return false;
-  }
-  if (!corner_) return false;
-  setCorner(std::nullopt);
-  return true;
-}
-
-bool ZoneTool::undo() {
-  if (drag_) return cancel();
-  if (!drawing_ || draft_.empty()) return false;
-  takenBack_.push_back(draft_.back());
-  draft_.pop_back();
-  touch();
-  return true;
-}
-
-bool ZoneTool::redo() {
-  if (!drawing_ || takenBack_.empty()) return drawing_ && !draft_.empty();
-  draft_.push_back(takenBack_.back());
-  takenBack_.pop_back();
-  touch();
-  return true;
-}
-
 QCursor ZoneTool::cursor() const {
-  if (drawing_) return Qt::CrossCursor;
+  if (isDrawing()) return Qt::CrossCursor;
   if (drag_) return Qt::SizeAllCursor;
   if (hover_.kind == Hit::Kind::Inside) return Qt::OpenHandCursor;
   return hover_.kind == Hit::Kind::None ? Qt::ArrowCursor : Qt::PointingHandCursor;
@@ -150,9 +49,9 @@ QString ZoneTool::hint() const {
   if (drag_ && drag_->kind == Drag::Kind::Rectangle)
     return tr("Release where the opposite corner is to be. Alt: no snapping. Esc: drop it.");
   if (drag_) return tr("Shift: in steps of 45°. Alt: no snapping. Esc: leave it where it was.");
-  if (drawing_ && draft_.empty())
+  if (isDrawing() && draft().empty())
     return tr("Drag a rectangle, or click the zone's corners one by one. Esc: stop drawing.");
-  if (drawing_)
+  if (isDrawing())
     return tr(
         "Click the next corner. First corner, double-click or Enter: finish. Backspace: one back. Shift: 45°. Alt: no "
         "snapping.");

@@ -16,7 +16,7 @@ void ZoneTool::openMenu(const ToolMouse& mouse, const CanvasScene& scene) {
   auto* menu = new QMenu{window_};
   menu->setObjectName("zoneMenu");
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  if (drawing_) {
+  if (isDrawing()) {
     fillDrawingMenu(*menu);
   } else {
     fillZoneMenu(*menu, mouse, scene);
@@ -25,10 +25,10 @@ void ZoneTool::openMenu(const ToolMouse& mouse, const CanvasScene& scene) {
 }
 
 void ZoneTool::fillDrawingMenu(QMenu& menu) {
-  menu.addAction(tr("&Finish zone"), this, [this] { finish(draft_); })->setEnabled(draft_.size() >= 3);
-  menu.addAction(tr("&Remove last corner"), this, [this] { undo(); })->setEnabled(!draft_.empty());
+  menu.addAction(tr("&Finish zone"), this, [this] { finishDraft(); })->setEnabled(draft().size() >= 3);
+  menu.addAction(tr("&Remove last corner"), this, [this] { undo(); })->setEnabled(!draft().empty());
   menu.addSeparator();
-  menu.addAction(tr("&Drop zone"), this, [this] { cancel(); })->setEnabled(!draft_.empty());
+  menu.addAction(tr("&Drop zone"), this, [this] { cancel(); })->setEnabled(!draft().empty());
 }
 
 void ZoneTool::fillKindMenu(QMenu& menu) {
@@ -72,7 +72,7 @@ void ZoneTool::fillZoneMenu(QMenu& menu, const ToolMouse& mouse, const CanvasSce
   }
   menu.addAction(tr("Draw &new zone from here"), this, [this, place] {
     startDrawing();
-    addCorner(place);
+    addPoint(place);
   });
 }
 

@@ -11,19 +11,18 @@ namespace tessera::ui {
 namespace {
 
 constexpr double kZoneHandle = 5.5;
-constexpr double kEdgeHandleFrom = 44.0;
 
 }  // namespace
 
 void ZoneTool::paint(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme) {
   painter.setRenderHint(QPainter::Antialiasing);
   const bool changing = drag_ && drag_->kind != Drag::Kind::Rectangle;
-  if (const floor::Zone* chosen = zone(); chosen != nullptr && !drawing_) {
+  if (const floor::Zone* chosen = zone(); chosen != nullptr && !isDrawing()) {
     const std::vector<Point>& outline = changing ? drag_->outline : chosen->outline;
     paintShape(painter, scene.view, theme, outline, chosen->kind);
     paintHandles(painter, scene, theme, outline);
   }
-  if (drawing_) paintDraft(painter, scene, theme);
+  if (isDrawing()) paintDraft(painter, scene, theme);
   if (!drag_ || !drag_->moved || !pointer_) return;
   paintSnap(painter, scene.view, theme, *pointer_);
   paintReadout(painter, scene.view, theme, scene.view.toPixel(pointer_->place), dragLines(scene));
@@ -52,7 +51,7 @@ void ZoneTool::paintHandles(QPainter& painter, const CanvasScene& scene, const C
   for (std::size_t n = 0; !drag_ && n < outline.size(); ++n) {
     const Point next = outline[(n + 1) % outline.size()];
     const Point middle = outline[n] + 0.5 * (next - outline[n]);
-    if (view.pixels(distance(outline[n], next)) < kEdgeHandleFrom || !seen.contains(middle)) continue;
+    if (view.pixels(distance(outline[n], next)) < kMiddleFrom || !seen.contains(middle)) continue;
     const bool hot = hover_ == Hit{Hit::Kind::Middle, n};
     paintHandle(painter, view.toPixel(middle), hot ? kZoneHandle + 1 : kZoneHandle - 1, hot ? theme.accent : theme.halo,
                 hot ? theme.halo : theme.accent);
@@ -75,8 +74,8 @@ void ZoneTool::paintDraft(QPainter& painter, const CanvasScene& scene, const Can
     if (drag_->moved) paintShape(painter, view, theme, drag_->outline, kind_);
     return;
   }
-  std::vector<Point> outline = draft_;
-  if (pointer_ && !draft_.empty()) outline.push_back(pointer_->place);
+  std::vector<Point> outline = draft();
+  if (pointer_ && !draft().empty()) outline.push_back(pointer_->place);
   if (outline.size() >= 3) {
     paintShape(painter, view, theme, outline, kind_);
   } else if (outline.size() == 2) {
@@ -85,13 +84,13 @@ void ZoneTool::paintDraft(QPainter& painter, const CanvasScene& scene, const Can
     if (const auto line = clipped(QLineF{view.toPixel(outline[0]), view.toPixel(outline[1])}, around))
       painter.drawLine(*line);
   }
-  for (const Point& p : draft_) paintHandle(painter, view.toPixel(p), kZoneHandle, theme.accent, theme.halo);
+  for (const Point& p : draft()) paintHandle(painter, view.toPixel(p), kZoneHandle, theme.accent, theme.halo);
   if (!pointer_) return;
   QStringList lines;
   if (closes(view.toPixel(pointer_->place), scene)) {
     lines << tr("Click: finish the zone");
-  } else if (!draft_.empty() && draft_.back() != pointer_->place) {
-    lines << legText(draft_.back(), pointer_->place, scene.map.site().northToY);
+  } else if (!draft().empty() && draft().back() != pointer_->place) {
+    lines << legText(draft().back(), pointer_->place, scene.map.site().northToY);
   }
   lines << placeText(pointer_->place);
   if (outline.size() >= 3) lines << areaText(squareMetres(outline));
