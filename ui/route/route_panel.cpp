@@ -3,25 +3,23 @@
 #include <QAction>
 #include <QDoubleSpinBox>
 #include <QEvent>
-#include <QItemSelectionModel>
 #include <QLabel>
-#include <QListWidget>
 #include <QLocale>
 #include <QMenu>
 #include <QStackedWidget>
-#include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
 #include "base/polyline.h"
 #include "drive/travel_time.h"
+#include "ui/base/name_list.h"
+#include "ui/base/place_table.h"
 #include "ui/base/wording.h"
 
 namespace tessera::ui {
 namespace {
 
-constexpr int kNameRole = Qt::UserRole;  // the name as the document has it, while the item's text is being edited
 constexpr int kFirstSpacingKey = 2'000'000;
 constexpr Seconds kUsualDelay{0.25};  // of commands to one of a few vehicles on a channel of their own
 
@@ -63,34 +61,11 @@ RoutePanel::RoutePanel(SiteDocument& document, Selection& selection, QWidget* pa
 }
 
 void RoutePanel::refreshList() {
-  filling_ = true;
-  const floor::Site& site = document_.site();
-  const int chosenBefore = list_->currentRow();
-  const bool sameCount = list_->count() == static_cast<int>(site.routes.size());
-  const bool wasChosen = chosenBefore >= 0 && list_->item(chosenBefore)->data(kNameRole) == selection_.route();
-  while (list_->count() > static_cast<int>(site.routes.size())) delete list_->takeItem(list_->count() - 1);
-  int chosen = -1;
-  for (int n = 0; n < static_cast<int>(site.routes.size()); ++n) {
-    const QString name = QString::fromStdString(site.routes[static_cast<std::size_t>(n)].name);
-    if (n == list_->count()) list_->addItem(new QListWidgetItem);
-    QListWidgetItem* item = list_->item(n);
-    item->setFlags(item->flags() | Qt::ItemIsEditable);
-    item->setText(name);
-    item->setData(kNameRole, name);
-    if (name == selection_.route()) chosen = n;
-  }
-  if (chosen < 0) {
-    list_->setCurrentRow(-1);
-    list_->clearSelection();
-  } else if (list_->currentRow() != chosen || !list_->item(chosen)->isSelected()) {
-    list_->setCurrentRow(chosen);
-  }
-  pages_->setCurrentIndex(site.routes.empty() ? 0 : 1);
-  filling_ = false;
-  if (chosen < 0 && !selection_.route().isEmpty()) {
-    // The chosen route has another name now (renamed, or that undone), or it is gone.
-    selection_.setRoute(sameCount && wasChosen ? list_->item(chosenBefore)->text() : QString{});
-  }
+  QStringList names;
+  for (const floor::Route& route : document_.site().routes) names << QString::fromStdString(route.name);
+  const QString now = list_->setNames(names, selection_.route());
+  pages_->setCurrentIndex(names.isEmpty() ? 0 : 1);
+  selection_.setRoute(now);
   refreshDetails();
 }
 
@@ -157,39 +132,17 @@ void RoutePanel::refreshActions() {
   join_->setEnabled(!join_->menu()->isEmpty());
 }
 
-void RoutePanel::renamed(QListWidgetItem* item) {
-  if (filling_) return;
-  const QString from = item->data(kNameRole).toString();
-  tell(edits_.rename(from, item->text()));
-  refreshList();  // a name that was refused gives way to the old one
-}
-
 void RoutePanel::setVertex(std::optional<std::size_t> vertex) {
   if (vertex == currentVertex()) return;
   filling_ = true;
-  if (vertex && *vertex < static_cast<std::size_t>(vertices_->rowCount())) {
-    const int column = std::max(0, table_->currentIndex().column());
-    table_->setCurrentIndex(
-        vertices_->index(static_cast<int>(*vertex), column == VertexModel::kLeg ? VertexModel::kY : column));
-  } else {
-    table_->clearSelection();
-    table_->setCurrentIndex({});
-  }
+  table_->setPlace(vertex);
   filling_ = false;
   refreshActions();
 }
 
-std::optional<std::size_t> RoutePanel::currentVertex() const {
-  const QModelIndex index = table_->currentIndex();
-  return index.isValid() ? std::optional{static_cast<std::size_t>(index.row())} : std::nullopt;
-}
+std::optional<std::size_t> RoutePanel::currentVertex() const { return table_->place(); }
 
-void RoutePanel::startRenaming() {
-  if (QListWidgetItem* item = list_->currentItem()) {
-    list_->setFocus();
-    list_->editItem(item);
-  }
-}
+void RoutePanel::startRenaming() { list_->startRenaming(); }
 
 void RoutePanel::insertVertex() {
   const floor::Route* route = edits_.find(selection_.route());

@@ -10,14 +10,14 @@
 class QAction;
 class QDoubleSpinBox;
 class QLabel;
-class QListWidget;
-class QListWidgetItem;
 class QPushButton;
 class QStackedWidget;
-class QTableView;
 class QToolBar;
 
 namespace tessera::ui {
+
+class NameList;
+class PlaceTable;
 
 class RoutePanel : public QWidget {
   Q_OBJECT
@@ -49,7 +49,6 @@ private:
   void retranslate();
   void refreshList();
   void refreshDetails();
-  void renamed(QListWidgetItem* item);
   void insertVertex();
   void deleteVertex();
   void duplicate();
@@ -69,9 +68,9 @@ private:
   QPushButton* emptyButton_ = nullptr;
   QToolBar* routeBar_ = nullptr;
   QToolBar* vertexBar_ = nullptr;
-  QListWidget* list_ = nullptr;
+  NameList* list_ = nullptr;
   QWidget* details_ = nullptr;
-  QTableView* table_ = nullptr;
+  PlaceTable* table_ = nullptr;
   QLabel* spacingLabel_ = nullptr;
   QDoubleSpinBox* spacing_ = nullptr;
   QLabel* speedLabel_ = nullptr;

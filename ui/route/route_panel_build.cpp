@@ -4,18 +4,18 @@
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
 #include <QSplitter>
 #include <QStackedWidget>
-#include <QTableView>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "ui/base/icon.h"
+#include "ui/base/name_list.h"
 #include "ui/base/number_delegate.h"
+#include "ui/base/place_table.h"
 #include "ui/base/tidy.h"
 #include "ui/route/route_panel.h"
 
@@ -85,16 +85,13 @@ QWidget* RoutePanel::makeListPage() {
   routeBar_->addActions({draw_, rename_, duplicate_, reverse_, join_, delete_});
   if (auto* button = qobject_cast<QToolButton*>(routeBar_->widgetForAction(join_)))
     button->setPopupMode(QToolButton::InstantPopup);
-  list_ = new QListWidget;
-  list_->setObjectName("routeList");
-  list_->setMinimumHeight(2 * fontMetrics().height() + 8);
-  list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
-  list_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  list_ = new NameList{"routeList"};
   list_->addActions({rename_, duplicate_, reverse_, join_, delete_});
-  connect(list_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
-    if (!filling_ && item != nullptr) selection_.setRoute(item->text());
+  connect(list_, &NameList::nameChosen, &selection_, &Selection::setRoute);
+  connect(list_, &NameList::renameRequested, this, [this](const QString& from, const QString& to) {
+    tell(edits_.rename(from, to));
+    refreshList();  // a name that was refused gives way to the old one
   });
-  connect(list_, &QListWidget::itemChanged, this, &RoutePanel::renamed);
   layout->addWidget(routeBar_);
   layout->addWidget(list_);
   details_ = makeDetails();
@@ -113,22 +110,13 @@ QWidget* RoutePanel::makeDetails() {
   vertexBar_->setIconSize({side, side});
   vertexBar_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   vertexBar_->addActions({insertVertex_, deleteVertex_, split_});
-  table_ = new QTableView;
-  table_->setObjectName("vertexTable");
-  table_->setMinimumHeight(4 * fontMetrics().height());
-  table_->setModel(vertices_);
+  table_ = new PlaceTable{"vertexTable", vertices_};
   const double most = kFarthest.value();
   table_->setItemDelegate(new NumberDelegate{{"metreEditor", 3, -most, most, 0.01}, table_});
   table_->setItemDelegateForColumn(
       VertexModel::kSpeed,
       new NumberDelegate{{"legSpeedEditor", 3, 0.0, RouteEdits::kMostSpeed.value(), 0.05, true}, table_});
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setTabKeyNavigation(false);
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table_->horizontalHeader()->setSectionResizeMode(VertexModel::kSpeed, QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setHighlightSections(false);  // bold is wider than the column
-  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
-  table_->setContextMenuPolicy(Qt::ActionsContextMenu);
   table_->addActions({insertVertex_, deleteVertex_, split_});
   connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
     refreshActions();

@@ -5,16 +5,15 @@
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QIcon>
-#include <QItemSelectionModel>
 #include <QLabel>
-#include <QListWidget>
 #include <QPainter>
 #include <QStackedWidget>
-#include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
+#include "ui/base/name_list.h"
+#include "ui/base/place_table.h"
 #include "ui/base/tidy.h"
 #include "ui/base/wording.h"
 #include "ui/canvas/theme.h"
@@ -24,8 +23,7 @@
 namespace tessera::ui {
 namespace {
 
-constexpr int kZoneNameRole = Qt::UserRole;  // the name as the document has it, while the item's text is being edited
-constexpr int kFirstValueKey = 32'000'000;   // apart from those of other panels
+constexpr int kFirstValueKey = 32'000'000;  // apart from those of other panels
 
 // The colour that the zone has on the floor.
 QIcon swatch(const CanvasTheme& theme, floor::ZoneKind kind, int side) {
@@ -69,39 +67,19 @@ ZonePanel::ZonePanel(SiteDocument& document, Selection& selection, QWidget* pare
 }
 
 void ZonePanel::refreshList() {
-  filling_ = true;
   const auto& zones = document_.site().zones;
+  QStringList names;
+  for (const floor::Zone& zone : zones) names << QString::fromStdString(zone.name);
+  const QString now = list_->setNames(names, selection_.zone());
   const CanvasTheme theme{palette()};
-  const int count = static_cast<int>(zones.size());
-  const int chosenBefore = list_->currentRow();
-  const bool sameCount = list_->count() == count;
-  const bool wasChosen = chosenBefore >= 0 && list_->item(chosenBefore)->data(kZoneNameRole) == selection_.zone();
-  while (list_->count() > count) delete list_->takeItem(list_->count() - 1);
-  int chosen = -1;
-  for (int n = 0; n < count; ++n) {
+  for (int n = 0; n < list_->count(); ++n) {
     const floor::Zone& zone = zones[static_cast<std::size_t>(n)];
-    const QString name = QString::fromStdString(zone.name);
-    if (n == list_->count()) list_->addItem(new QListWidgetItem);
-    QListWidgetItem* item = list_->item(n);
-    item->setFlags(item->flags() | Qt::ItemIsEditable);
-    item->setText(name);
-    item->setData(kZoneNameRole, name);
-    item->setToolTip(QStringLiteral("%1, %2").arg(zoneKindName(zone.kind), areaText(squareMetres(zone.outline))));
-    item->setIcon(swatch(theme, zone.kind, list_->iconSize().width()));
-    if (name == selection_.zone() && chosen < 0) chosen = n;
+    list_->item(n)->setToolTip(
+        QStringLiteral("%1, %2").arg(zoneKindName(zone.kind), areaText(squareMetres(zone.outline))));
+    list_->item(n)->setIcon(swatch(theme, zone.kind, list_->iconSize().width()));
   }
-  if (chosen < 0) {
-    list_->setCurrentRow(-1);
-    list_->clearSelection();
-  } else if (list_->currentRow() != chosen || !list_->item(chosen)->isSelected()) {
-    list_->setCurrentRow(chosen);
-  }
-  pages_->setCurrentIndex(count == 0 ? 0 : 1);
-  filling_ = false;
-  if (chosen < 0 && !selection_.zone().isEmpty()) {
-    // The chosen zone has another name now (renamed, or that undone), or it is gone.
-    selection_.setZone(sameCount && wasChosen ? list_->item(chosenBefore)->text() : QString{});
-  }
+  pages_->setCurrentIndex(names.isEmpty() ? 0 : 1);
+  selection_.setZone(now);
   refreshDetails();
 }
 
@@ -131,30 +109,15 @@ void ZonePanel::refreshDetails() {
   deleteCorner_->setEnabled(zone != nullptr && currentCorner() && corners_->rowCount() > 3);
 }
 
-void ZonePanel::renamed(QListWidgetItem* item) {
-  if (filling_) return;
-  tell(edits_.rename(item->data(kZoneNameRole).toString(), item->text()));
-  refreshList();  // a name that was refused gives way to the old one
-}
-
 void ZonePanel::setCorner(std::optional<std::size_t> corner) {
   if (corner == currentCorner()) return;
   filling_ = true;
-  if (corner && *corner < static_cast<std::size_t>(corners_->rowCount())) {
-    const int column = std::max(0, table_->currentIndex().column());
-    table_->setCurrentIndex(corners_->index(static_cast<int>(*corner), std::min<int>(column, CornerModel::kY)));
-  } else {
-    table_->clearSelection();
-    table_->setCurrentIndex({});
-  }
+  table_->setPlace(corner);
   filling_ = false;
   deleteCorner_->setEnabled(currentCorner() && corners_->rowCount() > 3);
 }
 
-std::optional<std::size_t> ZonePanel::currentCorner() const {
-  const QModelIndex index = table_->currentIndex();
-  return index.isValid() ? std::optional{static_cast<std::size_t>(index.row())} : std::nullopt;
-}
+std::optional<std::size_t> ZonePanel::currentCorner() const { return table_->place(); }
 
 floor::ZoneKind ZonePanel::kindOfNew() const {
   // As a rule one draws several of a kind in a row; a floor's first zone is the one that vehicles drive in.
@@ -162,12 +125,7 @@ floor::ZoneKind ZonePanel::kindOfNew() const {
   return zone != nullptr ? zone->kind : floor::ZoneKind::Running;
 }
 
-void ZonePanel::startRenaming() {
-  if (QListWidgetItem* item = list_->currentItem()) {
-    list_->setFocus();
-    list_->editItem(item);
-  }
-}
+void ZonePanel::startRenaming() { list_->startRenaming(); }
 
 void ZonePanel::insertCorner() {
   const floor::Zone* zone = edits_.find(selection_.zone());

@@ -11,14 +11,14 @@ class QAction;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
-class QListWidget;
-class QListWidgetItem;
 class QPushButton;
 class QStackedWidget;
-class QTableView;
 class QToolBar;
 
 namespace tessera::ui {
+
+class NameList;
+class PlaceTable;
 
 class ZonePanel : public QWidget {
   Q_OBJECT
@@ -54,7 +54,6 @@ private:
   void nameActions();
   void refreshList();
   void refreshDetails();
-  void renamed(QListWidgetItem* item);
   void insertCorner();
   void deleteCorner();
   void duplicate();
@@ -76,9 +75,9 @@ private:
   QPushButton* emptyButton_ = nullptr;
   QToolBar* zoneBar_ = nullptr;
   QToolBar* cornerBar_ = nullptr;
-  QListWidget* list_ = nullptr;
+  NameList* list_ = nullptr;
   QWidget* details_ = nullptr;
-  QTableView* table_ = nullptr;
+  PlaceTable* table_ = nullptr;
   QLabel* kindLabel_ = nullptr;
   QComboBox* kind_ = nullptr;
   QLabel* speedLabel_ = nullptr;

@@ -3,19 +3,18 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
-#include <QHeaderView>
 #include <QLabel>
-#include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
 #include <QSplitter>
-#include <QTableView>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "ui/base/icon.h"
+#include "ui/base/name_list.h"
 #include "ui/base/number_delegate.h"
+#include "ui/base/place_table.h"
 #include "ui/base/tidy.h"
 #include "ui/zone/zone_panel.h"
 #include "ui/zone/zone_words.h"
@@ -81,20 +80,18 @@ QWidget* ZonePanel::makeListPage() {
   zoneBar_->addActions({draw_, rename_, duplicate_, delete_});
   if (auto* button = qobject_cast<QToolButton*>(zoneBar_->widgetForAction(draw_)))
     button->setPopupMode(QToolButton::MenuButtonPopup);
-  list_ = new QListWidget;
-  list_->setObjectName("zoneList");
+  list_ = new NameList{"zoneList"};
   list_->setIconSize({side, side});
-  list_->setMinimumHeight(2 * fontMetrics().height() + 8);
-  list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
-  list_->setContextMenuPolicy(Qt::ActionsContextMenu);
   list_->addActions({rename_, duplicate_, delete_});
-  connect(list_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
-    if (filling_ || item == nullptr) return;
-    selection_.setZone(item->text());
+  connect(list_, &NameList::nameChosen, this, [this](const QString& name) {
+    selection_.setZone(name);
     Q_EMIT zoneActivated();
   });
   connect(list_, &QListWidget::itemClicked, this, &ZonePanel::zoneActivated);
-  connect(list_, &QListWidget::itemChanged, this, &ZonePanel::renamed);
+  connect(list_, &NameList::renameRequested, this, [this](const QString& from, const QString& to) {
+    tell(edits_.rename(from, to));
+    refreshList();  // a name that was refused gives way to the old one
+  });
   layout->addWidget(zoneBar_);
   layout->addWidget(list_);
   details_ = makeDetails();
@@ -158,17 +155,9 @@ QWidget* ZonePanel::makeDetails() {
   cornerBar_->setIconSize({side, side});
   cornerBar_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   cornerBar_->addActions({insertCorner_, deleteCorner_});
-  table_ = new QTableView;
-  table_->setObjectName("cornerTable");
-  table_->setMinimumHeight(4 * fontMetrics().height());
-  table_->setModel(corners_);
+  table_ = new PlaceTable{"cornerTable", corners_};
   const double most = 100.0 * kFarthest.value();
   table_->setItemDelegate(new NumberDelegate{{"centimetreEditor", 1, -most, most, 1.0}, table_});
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setTabKeyNavigation(false);
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
-  table_->setContextMenuPolicy(Qt::ActionsContextMenu);
   table_->addActions({insertCorner_, deleteCorner_});
   connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
     deleteCorner_->setEnabled(currentCorner() && corners_->rowCount() > 3);

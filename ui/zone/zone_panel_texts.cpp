@@ -3,11 +3,11 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
-#include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
-#include <QTableView>
 
+#include "ui/base/name_list.h"
+#include "ui/base/place_table.h"
 #include "ui/zone/zone_panel.h"
 #include "ui/zone/zone_words.h"
 
