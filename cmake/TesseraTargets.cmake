@@ -68,13 +68,16 @@ function(tessera_test NAME)
   target_link_libraries(${NAME} PRIVATE tessera_options GTest::gtest GTest::gmock GTest::gtest_main ${ARG_LIBS})
   # What is tested is optimised; optimising the tests as well takes half as long again to compile.
   target_compile_options(${NAME} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O0>)
-  # What runs in real time needs the machine for itself: an emulator that is kept waiting sees wheels that do not turn.
-  set(serial OFF)
-  if("qemu" IN_LIST ARG_LABELS OR "system" IN_LIST ARG_LABELS)
-    set(serial ON)
+  # An emulator needs the machine for itself: kept waiting, it sees wheels that do not turn. Other programs in real time
+  # wait most of the time and need one processor when they do not: one of them at a time, beside what is quick.
+  set(company RUN_SERIAL OFF)
+  if("qemu" IN_LIST ARG_LABELS)
+    set(company RUN_SERIAL ON)
+  elseif("system" IN_LIST ARG_LABELS)
+    set(company RESOURCE_LOCK real_time)
   endif()
   # Discovery hands the properties through several lists; so many backslashes bring a semicolon through all of them.
-  # With fewer the second label would be taken for the next property's name, and RUN_SERIAL be lost with it.
+  # With fewer the second label would be taken for the next property's name, and what follows be lost with it.
   list(JOIN ARG_LABELS "\\\\\\\\\\\\\\;" labels)
-  gtest_discover_tests(${NAME} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${labels}" RUN_SERIAL ${serial})
+  gtest_discover_tests(${NAME} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${labels}" ${company})
 endfunction()

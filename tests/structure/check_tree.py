@@ -97,6 +97,8 @@ class Tree:
         libraries = self.check_libraries(allowed)
         for path in self.files:
             self.check_length(path)
+            if path.name.endswith("_test.cpp"):
+                self.check_is_built(path)
             if path.suffix in CODE:
                 text = without_comments(path.read_text())
                 if self.name(path).split("/")[0] in ("core", "firmware", "ui", "app"):
@@ -111,6 +113,14 @@ class Tree:
             lines = path.read_text().count("\n")
             if lines > MAX_LINES:
                 self.complain(path, f"has {lines} lines; {MAX_LINES} are the limit")
+
+    def check_is_built(self, path):
+        """A test that no CMakeLists.txt names is compiled by nobody and never fails."""
+        for folder in [f for f in path.parents if f == self.root or self.root in f.parents]:
+            listing = folder / "CMakeLists.txt"
+            if listing.is_file() and re.search(rf"(?<![\w.-]){re.escape(path.stem)}(\.cpp)?(?![\w.-])", listing.read_text()):
+                return
+        self.complain(path, "stands in no CMakeLists.txt")
 
     def folder_of(self, path, plan):
         """The row of the plan that a file belongs to."""

@@ -112,6 +112,11 @@ class CheckTree(unittest.TestCase):
         self.assert_found("core/wire/frame.cpp", "//\n" * 301, "301 lines")
         self.assert_found("dev", "#\n" * 301, "301 lines")
 
+    def test_a_test_that_nobody_builds_is_found(self):
+        self.assert_found("tests/base/pose_test.cpp", "", "stands in no CMakeLists.txt")
+        built = {"tests/base/pose_test.cpp": "", "tests/CMakeLists.txt": "tessera_test(base_test SOURCES base/pose_test.cpp)"}
+        self.assertEqual(self.problems(files=built), [])
+
     def test_a_header_without_a_guard_is_found(self):
         self.assert_found("core/wire/frame.h", "int x;\n", "#pragma once")
 
