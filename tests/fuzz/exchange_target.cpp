@@ -74,7 +74,7 @@ std::vector<Input> lifSeeds() {
 {"nodeId": "a", "nodePosition": {"x": 0, "y": 0}, "vehicleTypeNodeProperties": []},
 {"nodeId": "b", "nodePosition": {"x": 1, "y": 0}, "vehicleTypeNodeProperties": [{"actions": []}]}],
 "edges": [{"edgeId": "1", "edgeName": "e", "startNodeId": "a", "endNodeId": "b", "vehicleTypeEdgeProperties": []},
-{"edgeId": "r/1", "startNodeId": "b", "endNodeId": "a", "vehicleTypeEdgeProperties": [{"trajectory": {}}]}],
+{"edgeId": "r/1", "startNodeId": "b", "endNodeId": "a", "vehicleTypeEdgeProperties": [{"vehicleTypeId": "x", "maxSpeed": 0.3, "trajectory": {}}]}],
 "stations": [{"stationId": "S", "interactionNodeIds": ["a"], "stationDescription": "parking"}]}]})")};
 }
 

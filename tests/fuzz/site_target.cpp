@@ -49,7 +49,7 @@ std::vector<Input> siteSeeds(const std::string& folderOfSites) {
 "tiles": [{"serial": "A", "type": "t", "uids": ["04000001"]}], "placements": [{"serial": "A", "x_m": 1, "y_m": 2, "quarter_turns": 1}],
 "loose_tags": [{"uid": "04000002", "x_m": 1, "y_m": 1}],
 "zones": [{"name": "z", "kind": "slow", "speed_mps": 0.1, "direction_deg": -90, "outline_m": [[0, 0], [1, 0], [1, 1]]}],
-"routes": [{"name": "r", "vertices_m": [[0, 0], [1, 1]]}],
+"routes": [{"name": "r", "vertices_m": [[0, 0], [1, 1], [2, 0]], "leg_speeds_mps": [0.5, null]}],
 "vehicles": [{"id": 1, "name": "v", "key": "000102030405060708090A0B0C0D0E0F", "readers_m": [[0, 0]],
 "footprint_m": [[0, 0], [1, 0], [1, 1]], "start": {"x_m": 0, "y_m": 0, "heading_deg": 90}}]})";
   seeds.emplace_back(small.begin(), small.end());
