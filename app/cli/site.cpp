@@ -7,6 +7,7 @@
 #include "app/cli/output.h"
 #include "app/cli/site_convert.h"
 #include "app/cli/site_output.h"
+#include "app/cli/site_revisions.h"
 #include "floor/new_floor.h"
 #include "floor/site_json.h"
 #include "floor/site_map.h"
@@ -209,6 +210,7 @@ void addSite(CLI::App& app, Run& run) {
   counting->add_option("FILE", words->file, kFile)->required();
   counting->add_option("--speed", words->speed, "On the routes, m/s; default: the vehicle's highest")
       ->check(CLI::Range(0.01, 20.0));
+  addSiteRevisions(*site, run);
   for (CLI::App* sub : site->get_subcommands({})) sub->footer(kExitCodeHelp);
 }
 

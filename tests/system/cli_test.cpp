@@ -58,13 +58,14 @@ INSTANTIATE_TEST_SUITE_P(
              {"radio", "write", "--help"},
              {"--port", "--lines", "--json", "--site", "--channel", "--air-rate", "--baud", "--power"}},
         Call{"ports", {"ports", "--help"}, {"--json"}},
-        Call{"site", {"site", "--help"}, {"new", "check", "convert", "diff", "stats"}},
+        Call{"site", {"site", "--help"}, {"new", "check", "convert", "diff", "stats", "revisions"}},
         Call{"siteCheck", {"site", "check", "--help"}, {"FILE", "--all", "--json"}},
         Call{"siteNew",
              {"site", "new", "--help"},
              {"--tile-type", "--columns", "--rows", "--name", "--practice", "--force"}},
         Call{"siteConvert", {"site", "convert", "--help"}, {"IN", "OUT", "--to", "--onto", "--force", "--json"}},
         Call{"siteDiff", {"site", "diff", "--help"}, {"BEFORE", "AFTER"}},
+        Call{"siteRevisions", {"site", "revisions", "--help"}, {"FILE", "--database", "--json"}},
         Call{"siteStats", {"site", "stats", "--help"}, {"FILE", "--speed"}}),
     kNameOf);
 

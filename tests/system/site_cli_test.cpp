@@ -8,6 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/exit_codes.h"
+#include "floor/site_json.h"
+#include "store/revisions.h"
+#include "store/site_store.h"
 #include "system/program.h"
 
 namespace tessera::system_test {
@@ -134,6 +137,30 @@ TEST_F(SiteCommands, sayWhatDiffers) {
   ASSERT_EQ(changes["changes"].size(), 1U);
   EXPECT_EQ(changes["changes"][0]["kind"], "moved");
   EXPECT_EQ(run({"diff", at("a.tessera.json"), at("a.tessera.json")}, cli::kDone), "The sites are equal.\n");
+}
+
+TEST_F(SiteCommands, listTheRevisionsThatTheWindowKept) {
+  makeFloor("hall.tessera.json", true);
+  const std::string database = at("tessera.sqlite");
+  const Words words{"revisions", at("hall.tessera.json"), "--database", database};
+  EXPECT_EQ(run(words, cli::kBadInput), "");
+  EXPECT_THAT(errors(), HasSubstr("is not there"));
+  {
+    auto site = floor::loadSite(at("hall.tessera.json")).value();
+    const auto opened = store::Database::open(database).value();
+    const std::string key = store::keyOfFile(at("hall.tessera.json"));
+    ASSERT_TRUE(store::Revisions{*opened}.add(key, site, {1'000, "", "", true}));
+    site.placements.pop_back();
+    ASSERT_TRUE(store::Revisions{*opened}.add(key, site, {1'700'000'000'000, "Ada", "Take up 1 tile", false}));
+  }
+  EXPECT_EQ(run(words, cli::kDone),
+            "2023-11-14T22:13:20Z  Ada  Take up 1 tile  (tiles taken up: 1)\n"
+            "1970-01-01T00:00:01Z  unknown  the file as it was opened\n");
+  const auto result = json(words, cli::kDone);
+  ASSERT_EQ(result["revisions"].size(), 2U);
+  EXPECT_EQ(result["revisions"][0]["changed"]["tiles_taken_up"], 1);
+  EXPECT_EQ(result["revisions"][1]["changed"], nullptr);
+  EXPECT_EQ(result["revisions"][1]["found_in_file"], true);
 }
 
 }  // namespace
