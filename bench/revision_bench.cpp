@@ -1,8 +1,12 @@
 // What revisions of a site weigh and cost: bench_revision [tiles]. The figures of the decision on revisions come from
 // here. Times are the least of some runs, in milliseconds of this thread's processor.
-#include <QCoreApplication>
+#include <QGuiApplication>
+#include <QImage>
+#include <QPainter>
+#include <QPalette>
 #include <QSet>
 #include <QTemporaryDir>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -137,10 +141,34 @@ void times(const floor::Site& site, const floor::Site& route, const floor::Site&
               leastMs([&, map = floor::SiteMap::build(bare).value()] { (void)ui::compare(before, map); }));
 }
 
+// A frame's share while vehicles drive beneath: everything in view, nothing that could be joined.
+void painting(const floor::Site& site) {
+  floor::Site chequered = site;
+  std::size_t n = 0;
+  std::erase_if(chequered.placements, [&n](const floor::Placement&) {
+    ++n;
+    return (n + n / 50) % 2 == 0;
+  });
+  const auto comparison = ui::compare(floor::SiteMap::build(site).value(), floor::SiteMap::build(chequered).value());
+  QImage picture{1600, 1000, QImage::Format_ARGB32_Premultiplied};
+  picture.fill(Qt::white);
+  ui::View view{picture.size(), 1.0};
+  view.fit({{}, {Metres{30.0}, Metres{0.6 * std::ceil(static_cast<double>(site.placements.size()) / 50)}}}, 40.0);
+  const ui::CanvasTheme theme{QPalette{}};
+  QPainter painter{&picture};
+  std::printf("paint: every other tile gone    %8.1f ms\n",
+              leastMs([&] { ui::paintChanges(painter, view, theme, comparison.marks); }));
+  ui::ChangeLayer layer;
+  layer.set(comparison.marks);
+  layer.paint(painter, view, theme);
+  std::printf("paint: the same, view unchanged %8.1f ms\n", leastMs([&] { layer.paint(painter, view, theme); }));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  const QCoreApplication application{argc, argv};
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  const QGuiApplication application{argc, argv};
   const floor::Site site = hall(argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 2000);
   floor::Site route = site;
   route.routes[0].vertices[1] = {Metres{1.0}, Metres{1.0}};
@@ -148,5 +176,6 @@ int main(int argc, char** argv) {
   tile.placements[1].origin = {Metres{100.0}, Metres{}};
   sizes(site, route, tile);
   times(site, route, tile);
+  painting(site);
   return 0;
 }

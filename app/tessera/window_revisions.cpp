@@ -16,7 +16,10 @@ void MainWindow::joinRevisions() {
   // Wide as its table is, it stands below the floor.
   QDockWidget* dock = panels_->addTool(*this, "revisionsDock", "revisions", &panel, "eventsDock");
   connect(files_, &SiteFiles::saved, revisions_.get(), &RevisionDesk::onSaved);
-  connect(actions_->showRevisions, &QAction::triggered, this, [this, &panel] { panels_->bringForward(&panel); });
+  connect(actions_->showRevisions, &QAction::triggered, this, [this, &panel] {
+    panels_->bringForward(&panel);
+    panel.setFocus();
+  });
   const auto showChanges = [this, dock] {
     canvas_->setChanges(!revisions_ || dock->isHidden() ? ui::ChangeMarks{} : revisions_->panel().marks());
   };

@@ -220,7 +220,7 @@ void FloorCanvas::showToolTip(QPoint pixel, QPoint global) {
   const auto place = [&locale](Metres m) { return locale.toString(m.value(), 'f', 3); };
   if (const FloorMark* mark = layers_.faults ? markAt(marks_, view_, pixel) : nullptr) {
     text = mark->sentence;
-  } else if (const ChangeMarks::Sign* change = changeAt(changes_, view_, pixel)) {
+  } else if (const ChangeMarks::Sign* change = changeAt(changes(), view_, pixel)) {
     text = change->sentence;
   } else if (const auto id = vehicleAt(pixel)) {
     const supervisor::VehicleView& v = *fleet_.snapshot()->find(*id);

@@ -19,8 +19,8 @@ void FloorCanvas::setMarks(std::vector<FloorMark> marks, std::optional<std::size
 }
 
 void FloorCanvas::setChanges(ChangeMarks changes) {
-  if (changes.empty() && changes_.empty()) return;
-  changes_ = std::move(changes);
+  if (changes.empty() && changes_.marks().empty()) return;
+  changes_.set(std::move(changes));
   update();
 }
 

@@ -85,7 +85,7 @@ void FloorCanvas::paintEvent(QPaintEvent* event) {
     paintRulers(painter, view_, theme_);
   paintScaleBar(painter, view_, theme_);
   paintNorthArrow(painter, view_, theme_, map_->site().northToY);
-  if (!changes_.empty()) paintChangeLegend(painter, view_, theme_, changes_);
+  if (!changes().empty()) paintChangeLegend(painter, view_, theme_, changes());
 }
 
 void FloorCanvas::paintLive(QPainter& painter, const QRegion& region) {
@@ -111,11 +111,7 @@ void FloorCanvas::paintLive(QPainter& painter, const QRegion& region) {
   }
   for (const VehicleMark& mark : seen) sprites_.paintLabel(painter, view_, theme_, mark);
   if (sprites_.isPending()) drawing_.start();
-  if (!changes_.empty()) {
-    painter.save();
-    paintChanges(painter, view_, theme_, changes_);
-    painter.restore();
-  }
+  if (!changes().empty()) changes_.paint(painter, view_, theme_);
   if (layers_.faults && !marks_.empty()) {
     painter.save();
     paintMarks(painter, view_, theme_, marks_, chosenMark_);

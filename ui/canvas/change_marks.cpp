@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "ui/canvas/clip.h"
 #include "ui/canvas/furniture.h"
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double kSignReach = 8.0;   // pixels from a sign's middle
 constexpr double kArrowFrom = 12.0;  // pixels of way from which on a move has its line
+constexpr std::size_t kMostDashed = 100;
 constexpr std::array kLooks{ChangeLook::Added, ChangeLook::Removed, ChangeLook::Moved, ChangeLook::Changed};
 
 QColor colourOf(const CanvasTheme& theme, ChangeLook look) {
@@ -54,9 +56,13 @@ void paintArea(QPainter& painter, const View& view, const QColor& colour, const 
   painter.fillPath(path, fill);
   fill.setAlpha(120);
   if (hatchOf(shape.look) != Qt::NoBrush) painter.fillPath(path, QBrush{fill, hatchOf(shape.look)});
-  painter.setPen(QPen{colour, 2.0, lineOf(shape.look), Qt::FlatCap, Qt::MiterJoin});
+  // Many small pieces would take a tenth of a second to be dashed.
+  const bool many = shape.lines.size() > kMostDashed;
+  painter.setRenderHint(QPainter::Antialiasing, !many);
+  painter.setPen(many ? QPen{colour, 0} : QPen{colour, 2.0, lineOf(shape.look), Qt::FlatCap, Qt::MiterJoin});
   painter.setBrush(Qt::NoBrush);
   painter.drawPath(path);
+  painter.setRenderHint(QPainter::Antialiasing);
 }
 
 void paintWay(QPainter& painter, const View& view, const CanvasTheme& theme, const ChangeMarks::Shape& shape) {
@@ -161,6 +167,24 @@ void paintChanges(QPainter& painter, const View& view, const CanvasTheme& theme,
     painter.drawEllipse(at, 2 * kSignReach, 2 * kSignReach);
   }
   paintChangeSign(painter, theme, chosen.look, at, kSignReach + 2);
+}
+
+void ChangeLayer::set(ChangeMarks marks) {
+  marks_ = std::move(marks);
+  picture_ = {};
+}
+
+void ChangeLayer::paint(QPainter& painter, const View& view, const CanvasTheme& theme) {
+  if (picture_.isNull() || !(view_ == view) || dark_ != theme.dark) {
+    view_ = view;
+    dark_ = theme.dark;
+    picture_ = QPixmap{(view.size() * view.devicePixelRatio()).toSize()};
+    picture_.setDevicePixelRatio(view.devicePixelRatio());
+    picture_.fill(Qt::transparent);
+    QPainter keeping{&picture_};
+    paintChanges(keeping, view, theme, marks_);
+  }
+  painter.drawPixmap(QPointF{}, picture_);
 }
 
 void paintChangeLegend(QPainter& painter, const View& view, const CanvasTheme& theme, const ChangeMarks& changes) {

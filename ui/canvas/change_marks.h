@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QPainter>
+#include <QPixmap>
 #include <QString>
 #include <optional>
 #include <vector>
@@ -35,6 +36,21 @@ struct ChangeMarks {
 };
 
 void paintChanges(QPainter& painter, const View& view, const CanvasTheme& theme, const ChangeMarks& changes);
+
+/// Keeps the marks as a picture as long as the view stays: vehicles that drive beneath cost no more than without them.
+class ChangeLayer {
+public:
+  void set(ChangeMarks marks);
+  [[nodiscard]] const ChangeMarks& marks() const { return marks_; }
+  void paint(QPainter& painter, const View& view, const CanvasTheme& theme);
+
+private:
+  ChangeMarks marks_;
+  QPixmap picture_;
+  View view_;
+  bool dark_ = false;
+};
+
 /// Names the looks that occur, in the window's upper left corner.
 void paintChangeLegend(QPainter& painter, const View& view, const CanvasTheme& theme, const ChangeMarks& changes);
 /// The sign alone, as in the legend and in lists.

@@ -38,7 +38,7 @@ public:
   [[nodiscard]] const std::vector<FloorMark>& marked() const { return marks_; }
   /// What differs from another state of the site, drawn upon this one; empty: nothing is compared.
   void setChanges(ChangeMarks changes);
-  [[nodiscard]] const ChangeMarks& changes() const { return changes_; }
+  [[nodiscard]] const ChangeMarks& changes() const { return changes_.marks(); }
   /// Nullptr: none. The canvas does not own it.
   void setTool(CanvasTool* tool);
   [[nodiscard]] CanvasTool* tool() const { return tool_; }
@@ -140,7 +140,7 @@ private:
   VehicleSprites sprites_;
   std::vector<FloorMark> marks_;
   std::optional<std::size_t> chosenMark_;
-  ChangeMarks changes_;
+  ChangeLayer changes_;
   QPointer<CanvasTool> tool_;
   std::optional<VehicleId> vehicle_;
   QString route_;

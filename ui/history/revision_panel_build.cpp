@@ -52,6 +52,9 @@ RevisionPanel::RevisionPanel(SiteDocument& document, QWidget* parent)
   layout->setSpacing(0);
   layout->addWidget(makeBar());
   layout->addWidget(pages_, 1);
+  setFocusProxy(table_);
+  // Another site's revisions say nothing of this one.
+  connect(&document_, &SiteDocument::replaced, this, [this] { setRevisions({}); });
   connect(&document_, &SiteDocument::changed, this, &RevisionPanel::compareAgain);
   connect(comparer_, &Comparer::compared, this, &RevisionPanel::takeUp);
   retranslate();

@@ -57,6 +57,8 @@ TEST_F(SavedSites, areComparedOnTheFloorAndGoneBackTo) {
   EXPECT_EQ(cell(2, 2), "the file as it was opened");
 
   EXPECT_TRUE(window->canvas().changes().empty());
+  press(Qt::Key_H, Qt::ControlModifier);
+  EXPECT_TRUE(table().hasFocus()) << "the arrow keys walk through the revisions at once";
   choose(1);
   ASSERT_TRUE(until([&] { return differences().count() == 2; })) << head().toStdString();
   EXPECT_EQ(window->canvas().changes().signs.size(), 2U);

@@ -8,6 +8,8 @@
 #include <QPalette>
 #include <QSignalSpy>
 #include <QTest>
+#include <cmath>
+#include <functional>
 
 #include "canvas_site.h"
 #include "ui/history/comparer.h"
@@ -93,6 +95,46 @@ TEST(Differences, areFoundBesideTheWindowAndTheNewestWins) {
   EXPECT_EQ(done.count(), 1) << "what was overtaken is not told";
   EXPECT_EQ(done[0][0].value<std::shared_ptr<const Comparison>>()->after, last);
   EXPECT_FALSE(comparer.isComparing());
+}
+
+QImage painted(const std::function<void(QPainter&)>& paint) {
+  QImage picture{300, 200, QImage::Format_ARGB32_Premultiplied};
+  picture.fill(Qt::white);
+  QPainter painter{&picture};
+  paint(painter);
+  return picture;
+}
+
+TEST(DifferenceLayer, isAsIfPaintedAnewWhereverTheViewGoesAndWhateverDiffers) {
+  const CanvasTheme light{QPalette{Qt::white}};
+  const CanvasTheme dark{QPalette{Qt::black}};
+  const auto some = after([](floor::Site& s) { s.placements.pop_back(); });
+  const auto others = after([](floor::Site& s) { s.placements.erase(s.placements.begin()); });
+  View view{{300, 200}, 1.0};
+  view.fit({{}, xy(3.6, 3.0)}, 10.0);
+  ChangeLayer layer;
+  layer.set(some.marks);
+  const auto expectLike = [&](const ChangeMarks& marks, const CanvasTheme& theme) {
+    const QImage fresh = painted([&](QPainter& p) { paintChanges(p, view, theme, marks); });
+    const QImage kept = painted([&](QPainter& p) { layer.paint(p, view, theme); });
+    int apart = 0;
+    for (int y = 0; y < 200; ++y)
+      for (int x = 0; x < 300; ++x) {
+        const QColor a = fresh.pixelColor(x, y);
+        const QColor b = kept.pixelColor(x, y);
+        apart += static_cast<int>(std::abs(a.red() - b.red()) > 12 || std::abs(a.green() - b.green()) > 12);
+      }
+    EXPECT_EQ(apart, 0) << "pixels";
+    EXPECT_NE(fresh, painted([](QPainter&) {})) << "there is something to see";
+    return kept;
+  };
+  const QImage first = expectLike(some.marks, light);
+  view.panBy({-20, 10});
+  const QImage second = expectLike(some.marks, light);
+  EXPECT_NE(first, second);
+  EXPECT_NE(expectLike(some.marks, dark), second);
+  layer.set(others.marks);
+  expectLike(others.marks, dark);
 }
 
 // Colours alone do not tell: the shapes differ as well.

@@ -186,6 +186,17 @@ TEST_F(RevisionsUnderTest, keepsTheChosenOneWhenTheListGrowsAndLeavesOneThatIsGo
   EXPECT_TRUE(panel.marks().empty());
 }
 
+TEST_F(RevisionsUnderTest, forgetsThemWhenAnotherSiteIsOpened) {
+  list();
+  choose(1, older());
+  ASSERT_FALSE(panel.marks().empty());
+  document.replace(tiledMap(2, 2), "/sites/other.tessera.json");
+  EXPECT_TRUE(panel.marks().empty());
+  EXPECT_EQ(table().model()->rowCount(), 0);
+  panel.setRevision(1, older());  // an answer that comes late
+  EXPECT_FALSE(QTest::qWaitFor([&] { return !panel.marks().empty(); }, 300));
+}
+
 TEST_F(RevisionsUnderTest, handsTheRevisionOutForAFile) {
   list();
   QSignalSpy exported{&panel, &RevisionPanel::exportWanted};
