@@ -35,7 +35,7 @@ void ParticleLocator::reset(std::optional<Pose> pose) {
   pending_.clear();
   std::fill(watches_.begin(), watches_.end(), Watch{});
   placed_ = pose.has_value();
-  rivals_ = doubted_ = false;
+  rivals_ = false;
   rejectedInRow_ = 0;
   lead_ = 0.0;
   toldFrom_ = toldUntil_ = 0.0;
@@ -144,7 +144,6 @@ void ParticleLocator::take(int reader, const Eigen::Vector2d& tag, double at) {
   }
   cloud_.weighSeen(static_cast<std::size_t>(reader));
   cloud_.resampleIfNeeded();
-  doubted_ = false;
   rejectedInRow_ = 0;
   evidenceTravel_ = odometry_.at(at).travel;
   if (rivals_) {
@@ -265,7 +264,7 @@ Estimate ParticleLocator::at(Seconds now) const {
   estimate.covariance.col(2) *= -1.0;
   estimate.speed = MetresPerSecond{sample.speed * moments_.mean(3)};
   estimate.turnRate = RadiansPerSecond{sample.turnRate};
-  estimate.located = placed_ && !doubted_ && estimate.positionSigma() < Metres{options_.largestSigma};
+  estimate.located = placed_ && estimate.positionSigma() < Metres{options_.largestSigma};
   return estimate;
 }
 

@@ -79,8 +79,7 @@ private:
   std::vector<Pending> pending_;       ///< reads from before the first motion
   std::vector<Eigen::Vector2d> near_;  ///< scratch
   bool placed_ = false;
-  bool rivals_ = false;   ///< the rival stands for something
-  bool doubted_ = false;  ///< too many reads contradict, and they do not agree with each other
+  bool rivals_ = false;  ///< the rival stands for something
   int rejectedInRow_ = 0;
   Eigen::Vector2d rivalTag_ = Eigen::Vector2d::Zero();  ///< that raised it
   int rivalReads_ = 0;                                  ///< that the rival explains; the one that raised it included

@@ -15,7 +15,7 @@ constexpr double kCloudStandingTurn = 0.15;  // rad within that time
 constexpr double kStartLead = 2.3;           // log; one contradiction alone proves nothing ...
 constexpr double kTakeOver = -2.0;           // ... a second one does that fits the first
 constexpr double kDismiss = 6.0;             // and a rival that explains nothing is forgotten
-constexpr double kRivalBias = 0.20;          // rad; after being carried the compass settles again
+constexpr double kRivalBias = 0.35;          // rad; after being carried the compass settles again
 constexpr double kLeastChance = 2e-3;        // of a read under a belief: tags lie elsewhere than the map says
 
 }  // namespace
@@ -35,10 +35,11 @@ bool ParticleLocator::standsSinceBelieved(double at) const {
 
 void ParticleLocator::contradicted(int reader, const Eigen::Vector2d& tag, double at) {
   ++intake_.counters.rejected;
-  if (++rejectedInRow_ >= kCloudDoubtAfter) doubted_ = true;
+  ++rejectedInRow_;
   const double sigma = std::sqrt(std::max(moments_.covariance(0, 0), moments_.covariance(1, 1)));
-  // Carried while it stood, or no better known than by this one read.
-  if (standsSinceBelieved(at) || sigma > options_.largestSigma || rejectedInRow_ > kCloudDoubtAfter)
+  // Carried while it stood, no better known than by this one read, or wrong for certain: standing still in doubt would
+  // teach it nothing, the next read soon shows whether this start was right.
+  if (standsSinceBelieved(at) || sigma > options_.largestSigma || rejectedInRow_ >= kCloudDoubtAfter)
     return startFrom(reader, tag, at);
   const ReaderThen then = readerThen(reader, at);
   const double radius = vehicle_.readerRadius.value();
@@ -64,7 +65,7 @@ void ParticleLocator::judgeRival() {
     rivals_ = false;
   } else if (lead_ < kTakeOver && rivalReads_ > 1) {
     std::swap(cloud_, rival_);
-    rivals_ = doubted_ = false;
+    rivals_ = false;
     rejectedInRow_ = 0;
     for (Watch& watch : watches_) watch.trusted = false;
     ++intake_.counters.reacquisitions;
@@ -77,7 +78,7 @@ void ParticleLocator::startFrom(int reader, const Eigen::Vector2d& tag, double a
   cloud_.scatterUnder(tag, then.lever - then.way, vehicle_.readerRadius.value(), moments_.mean(2),
                       placed_ ? kRivalBias : options_.biasSigma);
   placed_ = true;
-  rivals_ = doubted_ = false;
+  rivals_ = false;
   rejectedInRow_ = 0;
   evidenceTravel_ = odometry_.at(at).travel;
   for (Watch& watch : watches_) watch.trusted = false;
