@@ -33,6 +33,7 @@
 #include "ui/lay/lay_tool.h"
 #include "ui/measure/measure_tool.h"
 #include "ui/route/route_tool.h"
+#include "ui/tilecheck/tile_watch.h"
 #include "ui/zone/zone_tool.h"
 
 namespace tessera::desktop {
@@ -60,6 +61,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow{parent} {
   joinRegister();
   joinRevisions();
   joinBackdrop();
+  joinTileCheck();
   joinPanels();
   joinLooking();
   joinTiles();
@@ -89,6 +91,7 @@ MainWindow::~MainWindow() {
     delete dock;
   }
   watch_.reset();
+  tileWatch_.reset();
   layTool_.reset();  // its panel looked at it
   delete takeCentralWidget();
   delete files_;

@@ -30,6 +30,7 @@ class RouteTool;
 class StartPage;
 class StopAllButton;
 class StopAllKey;
+class TileWatch;
 class ZoneTool;
 }  // namespace tessera::ui
 
@@ -58,6 +59,7 @@ public:
   [[nodiscard]] ui::FloorCanvas& canvas() { return *canvas_; }
   [[nodiscard]] RegisterDesk& registerDesk() { return *register_; }
   [[nodiscard]] BackdropDesk& floorPlan() { return *backdrop_; }
+  [[nodiscard]] ui::TileWatch& tileWatch() { return *tileWatch_; }
   [[nodiscard]] Keeper& keeper() { return *keeper_; }
 
   /// Window, panels, language and appearance as they were.
@@ -99,6 +101,7 @@ private:
   void joinRegister();
   void joinRevisions();
   void joinBackdrop();
+  void joinTileCheck();
   void layTiles();
   void editTileTypes();
   void joinTiles();
@@ -125,6 +128,7 @@ private:
   ui::StartPage* start_;
   ui::FloorCanvas* canvas_;
   std::unique_ptr<ui::FaultWatch> watch_;
+  std::unique_ptr<ui::TileWatch> tileWatch_;
   std::unique_ptr<ui::RouteTool> routeTool_;
   std::unique_ptr<ui::MeasureTool> measureTool_;
   ui::FindBox* find_ = nullptr;

@@ -63,6 +63,7 @@ void WindowActions::makeAll() {
   drawZone = make("drawZone", "draw-zone", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_R}, true);
   showFaults = make("showFaults", "check", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_F});
   showRevisions = make("showRevisions", "revisions", QKeySequence{Qt::CTRL | Qt::Key_H});
+  tileCheck = make("tileCheck", "drive-check", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_D});
   registerTags = make("registerTags", "tag", QKeySequence{Qt::CTRL | Qt::Key_T}, true);
   floorPlan = make("floorPlan", "plan", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_P}, true);
   layTiles = make("layTiles", "tile", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_T}, true);
@@ -89,7 +90,7 @@ void WindowActions::fillMenus(QMainWindow& window) {
   site_->addSeparator();
   site_->addActions({importFile, exportFile, mapPicture});
   site_->addSeparator();
-  site_->addActions({showFaults, showRevisions});
+  site_->addActions({showFaults, tileCheck, showRevisions});
   site_->addSeparator();
   site_->addAction(quit);
   edit_ = bar->addMenu(QString{});

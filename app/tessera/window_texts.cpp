@@ -52,6 +52,7 @@ void WindowActions::retranslate() {
   drawZone->setText(tr("Draw a z&one"));
   showFaults->setText(tr("&Faults of the site"));
   showRevisions->setText(tr("Re&visions"));
+  tileCheck->setText(tr("Dri&ve-over check…"));
   registerTags->setText(tr("Register &tags…"));
   floorPlan->setText(tr("Floor &plan…"));
   layTiles->setText(tr("Lay t&iles"));

@@ -63,6 +63,27 @@ public:
     return all;
   }
 
+  /// After suspects(). Placements whose tile or type the site does not have stay untouched.
+  [[nodiscard]] std::vector<TileState> states(const floor::Site& site, const std::vector<TileSuspect>& suspects) const {
+    std::vector<TileState> states(site.placements.size(), TileState::Untouched);
+    std::set<std::string> suspected;
+    for (const TileSuspect& suspect : suspects) suspected.insert(suspect.serials.begin(), suspect.serials.end());
+    for (std::size_t t = 0; t < tiles_.size(); ++t) {
+      const Laid& tile = tiles_[t];
+      TileState& state = states[static_cast<std::size_t>(tile.placement - site.placements.data())];
+      const auto belief = beliefs_.find(t);
+      if (suspected.contains(tile.placement->serial)) {
+        state = TileState::Suspect;
+      } else if (belief != beliefs_.end() && belief->second.place == t &&
+                 belief->second.turns == tile.placement->quarterTurns) {
+        state = TileState::Confirmed;
+      } else if (!tile.reads.empty()) {
+        state = TileState::Seen;
+      }
+    }
+    return states;
+  }
+
 private:
   void collect(const floor::Site& site) {
     std::unordered_map<std::string, const floor::TileType*> types;
@@ -216,6 +237,14 @@ private:
 };
 
 }  // namespace
+
+TileCheckResult checkFloor(const floor::Site& site, const std::vector<PlacedRead>& reads,
+                           const TileCheckOptions& options) {
+  TileCheck check{site, reads, options};
+  TileCheckResult result{check.suspects(), {}};
+  result.states = check.states(site, result.suspects);
+  return result;
+}
 
 std::vector<TileSuspect> checkTiles(const floor::Site& site, const std::vector<PlacedRead>& reads,
                                     const TileCheckOptions& options) {

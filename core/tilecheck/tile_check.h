@@ -33,7 +33,24 @@ struct TileCheckOptions {
   double mostPerRead = 16.0;
 };
 
-/// Reads of tags that no laid tile has are passed over. In the order of the site's placements.
+/// How far a laid tile is checked.
+enum class TileState {
+  Untouched,  ///< none of its tags was read
+  Seen,       ///< some were, too few to tell how it lies
+  Confirmed,  ///< it lies as the site says
+  Suspect,    ///< it is among those of a suspect
+};
+
+struct TileCheckResult {
+  std::vector<TileSuspect> suspects;  ///< in the order of the site's placements
+  std::vector<TileState> states;      ///< one for each of the site's placements
+};
+
+/// Reads of tags that no laid tile has are passed over.
+[[nodiscard]] TileCheckResult checkFloor(const floor::Site& site, const std::vector<PlacedRead>& reads,
+                                         const TileCheckOptions& options = {});
+
+/// Its suspects alone. Reads of tags that no laid tile has are passed over. In the order of the site's placements.
 [[nodiscard]] std::vector<TileSuspect> checkTiles(const floor::Site& site, const std::vector<PlacedRead>& reads,
                                                   const TileCheckOptions& options = {});
 

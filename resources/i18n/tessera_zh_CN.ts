@@ -1826,6 +1826,10 @@
         <source>The picture is damaged or of a kind that cannot be shown.</source>
         <translation>图片已损坏，或属于无法显示的类型。</translation>
     </message>
+    <message>
+        <source>The site was edited meanwhile: nothing was changed.</source>
+        <translation>场地已被修改：未作任何更改。</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>
@@ -3090,6 +3094,10 @@
     <message>
         <source>Floor &amp;plan…</source>
         <translation>平面图(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Dri&amp;ve-over check…</source>
+        <translation>行驶检查(&amp;V)…</translation>
     </message>
 </context>
 <context>
@@ -6531,6 +6539,85 @@ x %2 m，y %3 m</translation>
     </message>
 </context>
 <context>
+    <name>tessera::ui::TileCheckPanel</name>
+    <message>
+        <source>No tiles are laid: there is nothing to check.</source>
+        <translation>没有铺设地板砖：无可检查。</translation>
+    </message>
+    <message>
+        <source>Press Start, then drive a vehicle along the rows of tiles. Each tag that it reads tells whether its tile lies where the site says.</source>
+        <translation>按“开始”，然后让车辆沿各排地板砖行驶。读到的每个标签都能说明其地板砖是否与场地一致。</translation>
+    </message>
+    <message>
+        <source>Connect to the vehicles: none is supervised yet.</source>
+        <translation>请连接车辆：目前没有受监控的车辆。</translation>
+    </message>
+    <message>
+        <source>Drive a vehicle along the rows of tiles.</source>
+        <translation>让车辆沿各排地板砖行驶。</translation>
+    </message>
+    <message>
+        <source>Every tile lies where the site says.</source>
+        <translation>所有地板砖都与场地一致。</translation>
+    </message>
+    <message>
+        <source>So far every tile lies where the site says. Drive on along the rows.</source>
+        <translation>目前所有地板砖都与场地一致。请继续沿各排行驶。</translation>
+    </message>
+    <message>
+        <source>So far every tile lies where the site says.</source>
+        <translation>目前所有地板砖都与场地一致。</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>Confirmed: %1 of %2. Seen: %3. Lies otherwise: %4. Not yet driven over: %5.</source>
+        <translation>已确认：%1 / %2。已见：%3。不一致：%4。尚未驶过：%5。</translation>
+    </message>
+    <message>
+        <source>Drive-over check</source>
+        <translation>行驶检查</translation>
+    </message>
+    <message>
+        <source>Begin anew</source>
+        <translation>重新开始</translation>
+    </message>
+    <message>
+        <source>Forget what was read so far</source>
+        <translation>忘记已读的内容</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>Show the tiles on the floor (Enter)</source>
+        <translation>在地面上显示这些地板砖（Enter）</translation>
+    </message>
+    <message>
+        <source>Correct the site</source>
+        <translation>更正场地</translation>
+    </message>
+    <message>
+        <source>The site gets these tiles as they lie on the floor; it can be undone</source>
+        <translation>按地面实际情况修改场地；可以撤销</translation>
+    </message>
+    <message>
+        <source>Tiles that lie otherwise than the site says</source>
+        <translation>与场地不一致的地板砖</translation>
+    </message>
+    <message>
+        <source>Checked tiles</source>
+        <translation>已检查的地板砖</translation>
+    </message>
+</context>
+<context>
     <name>tessera::ui::TilePanel</name>
     <message>
         <source>%1, turned by %2°</source>
@@ -6832,6 +6919,13 @@ x %2 m，y %3 m</translation>
     <message>
         <source>All their numbers stay.</source>
         <translation>所有号码保留。</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::TileWatch</name>
+    <message>
+        <source>Correct how %1 lies</source>
+        <translation>更正 %1 的铺设</translation>
     </message>
 </context>
 <context>

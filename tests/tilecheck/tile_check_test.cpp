@@ -122,6 +122,29 @@ TEST_F(DrivenFloor, isNotMisledByReadsThatAreQuiteWrong) {
   EXPECT_EQ(suspects[0].serials, std::vector<std::string>{"T-0015"});
 }
 
+TEST_F(DrivenFloor, tellsOfEachTileHowFarItIsChecked) {
+  lay(7);
+  turn("T-0008", 1);
+  auto reads = drive();
+  const auto readsOf = [&](const PlacedRead& read, std::size_t tile) {
+    const auto& uids = drawn.tiles[tile].uids;
+    return std::find(uids.begin(), uids.end(), read.uid) != uids.end();
+  };
+  std::erase_if(
+      reads, [&](const PlacedRead& r) { return readsOf(r, 0) || (readsOf(r, 1) && r.uid != drawn.tiles[1].uids[0]); });
+  const auto result = checkFloor(drawn, reads);
+  ASSERT_EQ(result.states.size(), drawn.placements.size());
+  EXPECT_EQ(result.suspects.size(), 1U);
+  EXPECT_EQ(result.states[0], TileState::Untouched);
+  EXPECT_EQ(result.states[1], TileState::Seen);
+  EXPECT_EQ(result.states[7], TileState::Suspect);
+  EXPECT_EQ(std::count(result.states.begin(), result.states.end(), TileState::Confirmed),
+            static_cast<std::ptrdiff_t>(drawn.placements.size()) - 3);
+  Site mended = drawn;
+  ASSERT_TRUE(relay(result.suspects[0].fix, mended));
+  EXPECT_EQ(checkFloor(mended, reads).states[7], TileState::Confirmed);
+}
+
 TEST_F(DrivenFloor, saysNothingFromTooFewReads) {
   lay(5);
   swap("T-0003", "T-0021");

@@ -24,6 +24,12 @@ void FloorCanvas::setChanges(ChangeMarks changes) {
   update();
 }
 
+void FloorCanvas::setTileMarks(std::vector<TileMark> marks) {
+  if (marks == tileMarks_) return;
+  tileMarks_ = std::move(marks);
+  update();
+}
+
 void FloorCanvas::showPlace(const SiteBox& place) {
   if (place.empty()) return;
   follow(std::nullopt);

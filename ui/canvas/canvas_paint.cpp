@@ -93,6 +93,11 @@ void FloorCanvas::paintLive(QPainter& painter, const QRegion& region) {
   const std::vector<VehicleMark> all = marks();
   sprites_.begin(view_, std::exchange(thorough_, false));
   painter.setRenderHint(QPainter::Antialiasing);
+  if (!tileMarks_.empty()) {
+    painter.save();
+    paintTileMarks(painter, view_, theme_, tileMarks_, region.boundingRect());
+    painter.restore();
+  }
   std::vector<VehicleMark> seen;
   for (const VehicleMark& mark : all) {
     if (region.intersects(extentOf(mark, view_, font(), layers_).toAlignedRect())) seen.push_back(mark);

@@ -16,6 +16,7 @@
 #include "ui/canvas/fleet_layer.h"
 #include "ui/canvas/floor_marks.h"
 #include "ui/canvas/ground_layer.h"
+#include "ui/canvas/tile_marks.h"
 #include "ui/canvas/vehicle_sprites.h"
 
 namespace tessera::ui {
@@ -39,6 +40,9 @@ public:
   /// What differs from another state of the site, drawn upon this one; empty: nothing is compared.
   void setChanges(ChangeMarks changes);
   [[nodiscard]] const ChangeMarks& changes() const { return changes_.marks(); }
+  /// Which tiles were driven over, and what became of them; under the vehicles.
+  void setTileMarks(std::vector<TileMark> marks);
+  [[nodiscard]] const std::vector<TileMark>& tileMarks() const { return tileMarks_; }
   /// Nullptr: none. The canvas does not own it.
   void setTool(CanvasTool* tool);
   [[nodiscard]] CanvasTool* tool() const { return tool_; }
@@ -138,6 +142,7 @@ private:
   GroundLayer ground_;
   FleetLayer fleet_;
   VehicleSprites sprites_;
+  std::vector<TileMark> tileMarks_;
   std::vector<FloorMark> marks_;
   std::optional<std::size_t> chosenMark_;
   ChangeLayer changes_;

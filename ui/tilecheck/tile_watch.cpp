@@ -1,0 +1,130 @@
+#include "ui/tilecheck/tile_watch.h"
+
+#include <QStringList>
+#include <algorithm>
+
+#include "floor/laid_tile.h"
+#include "ui/canvas/floor_index.h"
+
+namespace tessera::ui {
+namespace {
+
+constexpr int kSoonMs = 300;
+constexpr int kRestFactor = 10;  // of the time, so that a check of a huge floor leaves nine tenths to the window
+
+std::optional<SiteBox> boxOfTile(const floor::SiteMap& map, const floor::Placement& placement) {
+  const auto& site = map.site();
+  const auto tile = std::find_if(site.tiles.begin(), site.tiles.end(),
+                                 [&](const floor::Tile& t) { return t.serial == placement.serial; });
+  if (tile == site.tiles.end()) return std::nullopt;
+  const auto type = std::find_if(site.tileTypes.begin(), site.tileTypes.end(),
+                                 [&](const floor::TileType& t) { return t.name == tile->type; });
+  if (type == site.tileTypes.end()) return std::nullopt;
+  const Box box = floor::boxOf(placement, *type);
+  return SiteBox{box.low, box.high};
+}
+
+}  // namespace
+
+TileWatch::TileWatch(SiteDocument& document, FleetLink& fleet) : document_{document}, fleet_{fleet} {
+  soon_.setSingleShot(true);
+  soon_.setInterval(kSoonMs);
+  connect(&soon_, &QTimer::timeout, this, &TileWatch::check);
+  connect(&fleet_, &FleetLink::snapshotChanged, this, &TileWatch::takeSnapshot);
+  connect(&document_, &SiteDocument::changed, this, &TileWatch::documentChanged);
+  connect(&document_, &SiteDocument::replaced, this, [this] {
+    running_ = false;
+    reset();
+  });
+  check();
+}
+
+void TileWatch::setRunning(bool running) {
+  if (running == running_) return;
+  running_ = running;
+  Q_EMIT changed();
+}
+
+void TileWatch::reset() {
+  collector_.clear();
+  check();
+}
+
+void TileWatch::takeSnapshot() {
+  const auto snapshot = fleet_.latest();
+  if (!running_ || !snapshot) return;
+  const std::size_t before = collector_.taken();
+  collector_.take(*snapshot, document_.site());
+  if (collector_.taken() != before) soon();
+}
+
+void TileWatch::documentChanged() {
+  if (checked_ && sameFloor(checked_->site(), document_.site())) return;
+  soon();
+}
+
+void TileWatch::soon() {
+  if (!soon_.isActive()) soon_.start();
+}
+
+void TileWatch::check() {
+  QElapsedTimer clock;
+  clock.start();
+  checked_ = document_.map();
+  result_ = tilecheck::checkFloor(checked_->site(), collector_.reads());
+  progress_ = {};
+  progress_.tiles = static_cast<int>(result_.states.size());
+  for (const tilecheck::TileState state : result_.states) {
+    progress_.confirmed += state == tilecheck::TileState::Confirmed ? 1 : 0;
+    progress_.seen += state == tilecheck::TileState::Seen ? 1 : 0;
+    progress_.suspect += state == tilecheck::TileState::Suspect ? 1 : 0;
+  }
+  soon_.setInterval(std::max(kSoonMs, static_cast<int>(kRestFactor * clock.elapsed())));
+  Q_EMIT changed();
+}
+
+std::vector<TileMark> TileWatch::marks() const {
+  std::vector<TileMark> marks;
+  const auto& site = checked_->site();
+  std::unordered_map<std::string_view, const floor::TileType*> types;
+  for (const auto& type : site.tileTypes) types.emplace(type.name, &type);
+  std::unordered_map<std::string_view, const floor::TileType*> typeOf;
+  for (const auto& tile : site.tiles)
+    if (const auto type = types.find(tile.type); type != types.end()) typeOf.emplace(tile.serial, type->second);
+  for (std::size_t n = 0; n < result_.states.size(); ++n) {
+    const auto state = result_.states[n];
+    const auto type = typeOf.find(site.placements[n].serial);
+    if (state == tilecheck::TileState::Untouched || type == typeOf.end()) continue;
+    const Box box = floor::boxOf(site.placements[n], *type->second);
+    marks.push_back({{box.low, box.high},
+                     state == tilecheck::TileState::Confirmed ? TileMark::Kind::Confirmed
+                     : state == tilecheck::TileState::Suspect ? TileMark::Kind::Suspect
+                                                              : TileMark::Kind::Seen});
+  }
+  return marks;
+}
+
+SiteBox TileWatch::placeOf(const tilecheck::TileSuspect& suspect) const {
+  SiteBox all;
+  for (const auto& move : suspect.fix.moves) {
+    const auto box = boxOfTile(*checked_, move.before);
+    if (!box) return {};
+    all.add(box->low);
+    all.add(box->high);
+  }
+  return all;
+}
+
+Result<void> TileWatch::mend(const tilecheck::TileSuspect& suspect) {
+  QStringList serials;
+  for (const std::string& serial : suspect.serials) serials << QString::fromStdString(serial);
+  bool fits = false;
+  const auto done = document_.edit(tr("Correct how %1 lies").arg(serials.join(QStringLiteral(", "))),
+                                   [&](floor::Site& site) { fits = tilecheck::relay(suspect.fix, site); });
+  if (!done) return done;
+  if (!fits) return failure(phrase("Core", "The site was edited meanwhile: nothing was changed."));
+  check();
+  return {};
+}
+
+}  // namespace tessera::ui
