@@ -27,7 +27,8 @@ struct NewFloor {
 };
 
 /// Serial numbers T-0001, ..., row by row from the lower left corner, which is the site's origin; one running zone over
-/// all, and neither zone nor vehicle where there are no tiles. The same site for the same wish. Error: a count out of range, or a type without tags.
+/// all, and neither zone nor vehicle where there are no tiles. The same site for the same wish. Error: a count out of
+/// range, or a type without tags.
 [[nodiscard]] Result<Site> layNewFloor(const NewFloor& wish);
 
 }  // namespace tessera::floor

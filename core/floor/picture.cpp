@@ -9,13 +9,14 @@ namespace {
 constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 constexpr std::uint8_t kNoDigit = 64;
 
-constexpr std::array<std::uint8_t, 256> kValues = [] {
+constexpr std::array<std::uint8_t, 256> valuesOfDigits() {
   std::array<std::uint8_t, 256> values{};
   values.fill(kNoDigit);
   for (std::size_t n = 0; n < kDigits.size(); ++n)
     values[static_cast<unsigned char>(kDigits[n])] = static_cast<std::uint8_t>(n);
   return values;
-}();
+}
+constexpr std::array<std::uint8_t, 256> kValues = valuesOfDigits();
 
 std::uint32_t byteAt(std::string_view bytes, std::size_t at) {
   return at < bytes.size() ? static_cast<unsigned char>(bytes[at]) : 0U;

@@ -21,10 +21,10 @@ QString titleOf(const QString& text) {
 }  // namespace
 
 const std::vector<QString>& HelpPages::topics() {
-  static const std::vector<QString> kTopics{"start",         "floor",      "tiles",    "floorplan",      "zones",
-                                            "checking",      "drivecheck", "routes",   "registering",    "vehicles",
-                                            "running",       "charts",     "events",   "connecting",     "radio",
-                                            "commissioning", "exchange",   "revisions", "keyboard", "troubleshooting"};
+  static const std::vector<QString> kTopics{
+      "start",  "floor",         "tiles",    "floorplan", "zones",    "checking",       "drivecheck",
+      "routes", "registering",   "vehicles", "running",   "charts",   "events",         "connecting",
+      "radio",  "commissioning", "exchange", "revisions", "keyboard", "troubleshooting"};
   return kTopics;
 }
 

@@ -116,7 +116,9 @@ QWidget* RoutePanel::makeDetails() {
   table_->setItemDelegateForColumn(
       VertexModel::kSpeed,
       new NumberDelegate{{"legSpeedEditor", 3, 0.0, RouteEdits::kMostSpeed.value(), 0.05, true}, table_});
-  table_->horizontalHeader()->setSectionResizeMode(VertexModel::kSpeed, QHeaderView::ResizeToContents);
+  // Their headings are longer than their numbers.
+  for (const int column : {VertexModel::kLeg, VertexModel::kSpeed})
+    table_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
   table_->addActions({insertVertex_, deleteVertex_, split_});
   connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
     refreshActions();
