@@ -7403,8 +7403,8 @@ Speed %3 m/s, commanded %4 m/s</source>
         <translation>从上一顶点到此的路段的最高速度；留空：按下达的速度</translation>
     </message>
     <message>
-        <source>Speed (m/s)</source>
-        <translation>速度 (m/s)</translation>
+        <source>Max m/s</source>
+        <translation>最高 m/s</translation>
     </message>
 </context>
 <context>

@@ -70,7 +70,7 @@ QVariant VertexModel::headerData(int section, Qt::Orientation orientation, int r
     case kLeg:
       return tr("Leg (m)");
     default:
-      return tr("Speed (m/s)");
+      return tr("Max m/s");
   }
 }
 

@@ -172,7 +172,7 @@ TEST_F(PanelUnderTest, SetsTheSpeedOfALegAndTakesItAwayAgain) {
   find<QDoubleSpinBox>("estimateSpeed")->setValue(0.5);
   auto* text = find<QLabel>("routeLength");
   const auto cell = [&](int row) { return table().model()->index(row, VertexModel::kSpeed).data().toString(); };
-  EXPECT_EQ(table().model()->headerData(VertexModel::kSpeed, Qt::Horizontal).toString(), "Speed (m/s)");
+  EXPECT_EQ(table().model()->headerData(VertexModel::kSpeed, Qt::Horizontal).toString(), "Max m/s");
   editCell(2, VertexModel::kSpeed, "0.1");
   EXPECT_EQ(document.map()->route("one")->legSpeeds,
             (std::vector<std::optional<MetresPerSecond>>{std::nullopt, MetresPerSecond{0.1}}));
