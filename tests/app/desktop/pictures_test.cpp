@@ -1,6 +1,5 @@
 // Pictures of every view in both languages and appearances, with a look at each widget: is its text drawn whole? Run
-// once at each scale; the folder is TESSERA_PICTURES, or none are kept. docs/pictures/renew.sh renews
-// those of docs/pictures.
+// once at each scale; the folder is TESSERA_PICTURES, or none are kept. docs/pictures/renew.sh renews docs/pictures.
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QApplication>
@@ -114,7 +113,7 @@ TEST_F(Pictures, showADriveWhole) {
 TEST_F(Pictures, showTheJournalWhole) {
   ASSERT_NO_FATAL_FAILURE(openWindow(false));
   ASSERT_NO_FATAL_FAILURE(startDemo());
-  find<QDockWidget>("eventsDock")->raise();
+  find("eventsDock")->raise();
   QTest::mouseClick(find("byDayButton"), Qt::LeftButton);
   const auto* list = find<QAbstractItemView>("eventList")->model();
   ASSERT_TRUE(until([&] { return find("backToNow")->isVisible() && find("showAllButton")->isVisible(); }));
@@ -147,8 +146,7 @@ TEST_F(Pictures, showTheRouteToolWhole) {
 TEST_F(Pictures, showZonesAndFaultsWhole) {
   ASSERT_NO_FATAL_FAILURE(openWindow(false));
   ASSERT_TRUE(window->files().openDemo());
-  // A no-go zone upon the demo's route: an error with a place.
-  trigger("drawZone");
+  trigger("drawZone");  // no-go, upon the demo's route: an error with a place
   const QPoint from = pixelOf(0.6, 0.6);
   QTest::mousePress(&window->canvas(), Qt::LeftButton, {}, from);
   for (int n = 1; n <= 5; ++n) QTest::mouseMove(&window->canvas(), from + (pixelOf(1.2, 1.2) - from) * n / 5);
@@ -217,6 +215,18 @@ TEST_F(Pictures, showRevisionsWhole) {
   for (const Dress& dress : kDresses) {
     wear(dress);
     take(*window, QStringLiteral("revisions"), dress);
+  }
+}
+
+TEST_F(Pictures, showTheEditorsOtherToolsWhole) {
+  ASSERT_NO_FATAL_FAILURE(openWindow(false));
+  ASSERT_TRUE(window->files().openDemo());
+  for (const Dress& dress : kDresses) {
+    wear(dress);
+    for (const char* tool : {"layTiles", "measure", "floorPlan", "tileCheck"}) {
+      trigger(tool);
+      take(*window, QString::fromLatin1(tool), dress);
+    }
   }
 }
 
