@@ -28,6 +28,7 @@
 #include "ui/connect/start_page.h"
 #include "ui/fleet/run_panel.h"
 #include "ui/fleet/stop_all.h"
+#include "ui/help/help_key.h"
 #include "ui/help/help_topic.h"
 #include "ui/help/help_window.h"
 #include "ui/lay/lay_tool.h"
@@ -54,6 +55,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow{parent} {
   stopAll_ = new ui::StopAllButton{*session_};
   menuBar()->setCornerWidget(stopAll_, Qt::TopRightCorner);
   stopAllKey_ = new ui::StopAllKey{*session_, this};
+  connect(new ui::HelpKey{this}, &ui::HelpKey::pressed, this, &MainWindow::showHelp);
   buildStatusBar();
   joinSite();
   joinFleet();
@@ -231,7 +233,8 @@ void MainWindow::showHelp() {
     delete help_;
     help_ = new ui::HelpWindow{modal != nullptr ? modal : this};
   }
-  help_->showTopic(ui::helpTopicOf(QApplication::focusWidget()));
+  QWidget* asking = QApplication::focusWidget();
+  help_->showTopic(ui::helpTopicOf(asking != nullptr ? asking : modal));
   help_->show();
   help_->raise();
   help_->activateWindow();

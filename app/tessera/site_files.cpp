@@ -203,7 +203,8 @@ void SiteFiles::rename() {
   bool agreed = false;
   const QString name = QInputDialog::getText(&window_, tr("Rename the site"), tr("&Name of the site:"),
                                              QLineEdit::Normal, QString::fromStdString(document_.site().name), &agreed);
-  if (!agreed) return;
+  // A file without a name is none of ours: it could not be opened again.
+  if (!agreed || name.trimmed().isEmpty()) return;
   const auto done = document_.edit(tr("Rename site"), [&](floor::Site& s) { s.name = name.trimmed().toStdString(); });
   if (!done) tell(tr("The site could not be renamed"), ui::text(done.error().sentence));
 }

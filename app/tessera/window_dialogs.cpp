@@ -1,5 +1,4 @@
 // The dialogues that the main window opens, and what comes of them.
-#include <QShortcut>
 #include <QStatusBar>
 
 #include "app/tessera/fleet_session.h"
@@ -37,8 +36,6 @@ void MainWindow::commission(std::optional<VehicleId> vehicle) {
   connect(&wizard, &ui::CommissionWizard::connectRequested, this, &MainWindow::askConnection);
   wizard.setProperty("helpTopic", QStringLiteral("commissioning"));
   connect(&wizard, &QWizard::helpRequested, this, &MainWindow::showHelp);
-  auto* helpKey = new QShortcut{QKeySequence::HelpContents, &wizard};
-  connect(helpKey, &QShortcut::activated, this, &MainWindow::showHelp);
   connect(&wizard, &ui::CommissionWizard::saveRequested, files_, &SiteFiles::save);
   // A key that is lost takes its vehicle away. So it goes into the file at once where nothing else would go with it
   // that nobody has decided to save, and into the database at once where it would.

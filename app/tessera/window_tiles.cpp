@@ -1,5 +1,4 @@
 // How laying tiles is joined to the window.
-#include <QShortcut>
 
 #include "app/tessera/main_window.h"
 #include "app/tessera/window_actions.h"
@@ -29,8 +28,6 @@ void MainWindow::layTiles() {
 void MainWindow::editTileTypes() {
   ui::TileTypesDialog dialog{document_, this};
   dialog.showType(layTool_->brush());
-  auto* helpKey = new QShortcut{QKeySequence::HelpContents, &dialog};
-  connect(helpKey, &QShortcut::activated, this, &MainWindow::showHelp);
   dialog.exec();
 }
 

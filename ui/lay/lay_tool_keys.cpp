@@ -48,8 +48,8 @@ bool LayTool::wantsShortcut(const QKeyEvent& event) const {
   if (inGesture()) return event.matches(QKeySequence::Undo) || event.matches(QKeySequence::Redo);
   if (isLetter(event, Qt::Key_R) || isLetter(event, Qt::Key_L) || isLetter(event, Qt::Key_C)) return true;
   if (event.matches(QKeySequence::Paste)) return hasCopy();
-  return !chosen_.empty() && (isTileArrow(event) || deletesTiles(event) || duplicates(event) ||
-                              event.matches(QKeySequence::Copy) || event.matches(QKeySequence::Cut));
+  return !chosen_.empty() &&
+         (isTileArrow(event) || deletesTiles(event) || duplicates(event) || event.matches(QKeySequence::Copy));
 }
 
 bool LayTool::keyPressed(QKeyEvent& event, const CanvasScene& scene) {
@@ -99,9 +99,6 @@ bool LayTool::command(const QKeyEvent& event) {
     duplicate();
   } else if (event.matches(QKeySequence::Copy)) {
     copy();
-  } else if (event.matches(QKeySequence::Cut)) {
-    copy();
-    removeChosen();
   } else if (const auto arrow = arrowOf(event)) {
     moveBy(*arrow);
   } else {

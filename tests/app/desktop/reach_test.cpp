@@ -4,9 +4,11 @@
 #include <QMenuBar>
 #include <QRegularExpression>
 #include <QToolButton>
+#include <tuple>
 
 #include "app/desktop/desktop_fixture.h"
 #include "app/tessera/site_files.h"
+#include "ui/help/help_window.h"
 
 namespace tessera::desktop {
 namespace {
@@ -66,6 +68,24 @@ TEST_F(Reach, leavesTheButtonsWhereTheyAreWhenADriveBegins) {
   EXPECT_TRUE(until([&] { return vehicle().progress > Metres{0.1}; }));
   QApplication::processEvents();
   EXPECT_EQ(places(), before);
+}
+
+TEST_F(Reach, helpsWithTheViewThatAsksByKeyInDialoguesAsWell) {
+  const auto shown = [](const QWidget& within) {
+    const auto* help = within.findChild<ui::HelpWindow*>();
+    return help != nullptr && help->isVisible() ? help->topic().toStdString() : "no help";
+  };
+  window->canvas().setFocus();
+  press(Qt::Key_F1);
+  EXPECT_EQ(shown(*window), "floor");
+  for (const auto& [action, name, topic] :
+       {std::tuple{"connect", "connectDialog", "connecting"}, std::tuple{"tileTypes", "tileTypesDialog", "tiles"}}) {
+    inDialogue(QString::fromLatin1(name), [&shown, topic](QDialog& dialog) {
+      QTest::keyClick(&dialog, Qt::Key_F1);
+      EXPECT_EQ(shown(dialog), topic);
+    });
+    trigger(action);
+  }
 }
 
 // The letters that open a menu, press a button or lead to a field together with Alt.
