@@ -38,7 +38,7 @@ void ParticleLocator::reset(std::optional<Pose> pose) {
   rivals_ = false;
   rejectedInRow_ = 0;
   lead_ = 0.0;
-  toldFrom_ = toldUntil_ = 0.0;
+  toldFrom_ = toldUntil_ = lostUntil_ = 0.0;
   cloud_.scatter(pose ? pose->position : Point{}, options_.startSigma, 0.0, options_.biasSigma);
   drawIn();
 }
@@ -264,7 +264,7 @@ Estimate ParticleLocator::at(Seconds now) const {
   estimate.covariance.col(2) *= -1.0;
   estimate.speed = MetresPerSecond{sample.speed * moments_.mean(3)};
   estimate.turnRate = RadiansPerSecond{sample.turnRate};
-  estimate.located = placed_ && estimate.positionSigma() < Metres{options_.largestSigma};
+  estimate.located = placed_ && estimate.positionSigma() < Metres{options_.largestSigma} && now.value() >= lostUntil_;
   return estimate;
 }
 

@@ -85,6 +85,7 @@ private:
   int rivalReads_ = 0;                                  ///< that the rival explains; the one that raised it included
   double lead_ = 0.0;            ///< log of how much better the cloud explains what came than the rival
   double evidenceTravel_ = 0.0;  ///< odometer at the last read believed, or at the start
+  double lostUntil_ = 0.0;       ///< its place was wrong, and it says so up to then
   double firstMotion_ = 0.0;
   double toldFrom_ = 0.0;   ///< every event since then ...
   double toldUntil_ = 0.0;  ///< ... up to here has been told

@@ -12,6 +12,7 @@ constexpr double kCloudStill = 0.02;         // m of travel that count as not ha
 constexpr double kCloudStandingTime = 0.5;   // s
 constexpr double kCloudStanding = 0.005;     // m of travel within that time
 constexpr double kCloudStandingTurn = 0.15;  // rad within that time
+constexpr double kAdmitted = 1.0;            // s for which it says that it was wrong
 constexpr double kStartLead = 2.3;           // log; one contradiction alone proves nothing ...
 constexpr double kTakeOver = -2.0;           // ... a second one does that fits the first
 constexpr double kDismiss = 6.0;             // and a rival that explains nothing is forgotten
@@ -37,8 +38,10 @@ void ParticleLocator::contradicted(int reader, const Eigen::Vector2d& tag, doubl
   ++intake_.counters.rejected;
   ++rejectedInRow_;
   const double sigma = std::sqrt(std::max(moments_.covariance(0, 0), moments_.covariance(1, 1)));
-  // Carried while it stood, no better known than by this one read, or wrong for certain: standing still in doubt would
-  // teach it nothing, the next read soon shows whether this start was right.
+  // Wrong for certain: that is said, and the vehicle stands while it is. Not longer, as standing still in doubt would
+  // teach it nothing; the next read soon shows whether this start was right.
+  if (rejectedInRow_ >= kCloudDoubtAfter) lostUntil_ = std::min(at, odometry_.last().value()) + kAdmitted;
+  // The same start where it was carried while it stood, or is known no better than by this one read.
   if (standsSinceBelieved(at) || sigma > options_.largestSigma || rejectedInRow_ >= kCloudDoubtAfter)
     return startFrom(reader, tag, at);
   const ReaderThen then = readerThen(reader, at);
