@@ -43,6 +43,11 @@ BackdropPanel::BackdropPanel(SiteDocument& document, BackdropTool& tool, QWidget
   refresh();
 }
 
+// A field that has the focus finishes its editing while the window goes, when this is a panel no more.
+BackdropPanel::~BackdropPanel() {
+  for (QDoubleSpinBox* box : numbers_) box->disconnect(this);
+}
+
 void BackdropPanel::refresh() {
   const floor::Backdrop* backdrop = edits_.find();
   pages_->setCurrentIndex(backdrop != nullptr ? 1 : 0);

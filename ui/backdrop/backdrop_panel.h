@@ -20,6 +20,7 @@ class BackdropPanel : public QWidget {
 public:
   /// Both must outlive it.
   BackdropPanel(SiteDocument& document, BackdropTool& tool, QWidget* parent = nullptr);
+  ~BackdropPanel() override;
 
 Q_SIGNALS:
   /// The operator wants to choose a picture's file.

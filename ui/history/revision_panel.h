@@ -26,6 +26,7 @@ class RevisionPanel : public QWidget {
 public:
   /// The document must outlive it.
   explicit RevisionPanel(SiteDocument& document, QWidget* parent = nullptr);
+  ~RevisionPanel() override;
 
   /// The newest first.
   void setRevisions(std::vector<RevisionLine> lines);

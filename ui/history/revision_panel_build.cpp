@@ -61,6 +61,9 @@ RevisionPanel::RevisionPanel(SiteDocument& document, QWidget* parent)
   refresh();
 }
 
+// A field that has the focus finishes its editing while the window goes, when this is a panel no more.
+RevisionPanel::~RevisionPanel() { author_->disconnect(this); }
+
 QWidget* RevisionPanel::makeBar() {
   const auto make = [this](const char* name, const char* picture) {
     auto* action = new QAction{icon(QString::fromLatin1(picture)), {}, this};

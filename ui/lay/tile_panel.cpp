@@ -48,6 +48,9 @@ TilePanel::TilePanel(SiteDocument& document, LayTool& tool, QWidget* parent)
   refresh();
 }
 
+// A field that has the focus finishes its editing while the window goes, when this is a panel no more.
+TilePanel::~TilePanel() { serial_->disconnect(this); }
+
 void TilePanel::begin(LayTool::Mode mode) {
   tool_.setMode(mode);
   refreshNext();  // the button that was pressed again stays pressed

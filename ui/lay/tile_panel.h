@@ -25,6 +25,7 @@ class TilePanel : public QWidget {
 public:
   /// Both must outlive it.
   TilePanel(SiteDocument& document, LayTool& tool, QWidget* parent = nullptr);
+  ~TilePanel() override;
 
 Q_SIGNALS:
   /// The operator wants to make or change tile types.
