@@ -233,8 +233,10 @@ void MainWindow::showHelp() {
     delete help_;
     help_ = new ui::HelpWindow{modal != nullptr ? modal : this};
   }
-  QWidget* asking = QApplication::focusWidget();
-  help_->showTopic(ui::helpTopicOf(asking != nullptr ? asking : modal));
+  // A dialogue that has just come up may not have the focus yet.
+  const QWidget* asking = QApplication::focusWidget();
+  if (modal != nullptr && (asking == nullptr || !modal->isAncestorOf(asking))) asking = modal;
+  help_->showTopic(ui::helpTopicOf(asking));
   help_->show();
   help_->raise();
   help_->activateWindow();
