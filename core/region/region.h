@@ -57,6 +57,8 @@ public:
   [[nodiscard]] Box bounds() const;
   /// The edge itself counts as inside.
   [[nodiscard]] bool contains(Point p) const;
+  /// The nearest point of any outline or hole. Requires a region that is not empty.
+  [[nodiscard]] Point nearestOnEdge(Point p) const;
   /// The stretches of the straight way that lie inside, in order.
   [[nodiscard]] std::vector<Stretch> within(Point from, Point to) const;
 

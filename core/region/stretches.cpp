@@ -1,6 +1,7 @@
 // Points and straight ways against a region, by counting the edges that they cross.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "region/region.h"
 
@@ -42,6 +43,23 @@ bool Region::contains(Point p) const {
     if (static_cast<double>(n.x) < at) inside = !inside;
   });
   return inside || onEdge;
+}
+
+Point Region::nearestOnEdge(Point p) const {
+  const Node n = nodeOf(p);
+  Point nearest = pointOf(rings_.front().front());
+  double least = std::numeric_limits<double>::infinity();
+  forEachEdge(rings_, [&](Node a, Node b) {
+    const Vector edge = between(a, b);
+    const Vector to = between(a, n);
+    const double square = dot(edge, edge);
+    const double share = square > 0.0 ? std::clamp(dot(edge, to) / square, 0.0, 1.0) : 0.0;
+    const double away = std::hypot(to.x - share * edge.x, to.y - share * edge.y);
+    if (away >= least) return;
+    least = away;
+    nearest = pointOf(a) + share * (pointOf(b) - pointOf(a));
+  });
+  return nearest;
 }
 
 std::vector<Stretch> Region::within(Point from, Point to) const {

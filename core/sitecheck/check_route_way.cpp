@@ -228,15 +228,25 @@ private:
   }
 
   void tooClose(const VehicleSetup& v) {
-    const Region swept = sweptBy(v);
+    const Metres clearance = context_.options.clearance;
+    const Region body = sweptBy(v);
+    const Region swept = clearance > Metres{} ? body.grown(clearance) : body;
     const Region off =
         (context_.zones.anyRunning ? swept - context_.zones.drivable : swept & context_.zones.noGo).opened(kSliver);
     if (off.empty()) return;
-    tell(FaultKind::RouteTooClose, Severity::Warning,
-         phrase("Core",
-                "On route \"%1\" vehicle \"%2\" sticks out of the zones in which it may be, over %3 m² about %4 m.")
-             .with(route_.name, v.name, figure(off.squareMetres(), 2), placeText(middleOf(off.bounds()))),
-         off.bounds())
+    const Sentence sentence =
+        clearance > Metres{}
+            ? phrase(
+                  "Core",
+                  "On route \"%1\" vehicle \"%2\" with %5 m of room around it sticks out of the zones in which it may "
+                  "be, over %3 m² about %4 m.")
+                  .with(route_.name, v.name, figure(off.squareMetres(), 2), placeText(middleOf(off.bounds())),
+                        inMetres(clearance))
+            : phrase(
+                  "Core",
+                  "On route \"%1\" vehicle \"%2\" sticks out of the zones in which it may be, over %3 m² about %4 m.")
+                  .with(route_.name, v.name, figure(off.squareMetres(), 2), placeText(middleOf(off.bounds())));
+    tell(FaultKind::RouteTooClose, Severity::Warning, sentence, off.bounds())
         .objects.push_back({ObjectKind::Vehicle, v.name});
   }
 

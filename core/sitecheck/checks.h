@@ -34,6 +34,8 @@ struct Context {
 [[nodiscard]] Faults checkGaps(const Context& context, std::size_t zone);
 // Of one route alone, whether it is among the site's or not.
 [[nodiscard]] Faults checkRouteWay(const Context& context, const floor::Route& route);
+/// Gives the faults of a route's way the edits that mend them, where trying shows that they do.
+void offerRouteFixes(const Context& context, const floor::Route& route, Faults& faults);
 [[nodiscard]] Faults checkRouteTags(const Context& context, const floor::Route& route);
 
 }  // namespace tessera::sitecheck

@@ -61,6 +61,25 @@ struct Applier {
     if (route != nullptr) setLegSpeed(*route, e.leg, e.after);
     return route != nullptr;
   }
+  bool operator()(const SetLegSpeeds& e) const {
+    floor::Route* route = lastWhere(site.routes, [&](const floor::Route& r) { return r == e.before; });
+    if (route != nullptr) {
+      route->legSpeeds = e.after;
+      tidyLegSpeeds(*route);
+    }
+    return route != nullptr;
+  }
+  bool operator()(const MoveVertices& e) const {
+    floor::Route* route =
+        lastWhere(site.routes, [&](const floor::Route& r) { return r.name == e.route && r.vertices == e.before; });
+    if (route != nullptr) route->vertices = e.after;
+    return route != nullptr;
+  }
+  bool operator()(const ReverseRoute& e) const {
+    floor::Route* route = lastWhere(site.routes, [&](const floor::Route& r) { return r == e.before; });
+    if (route != nullptr) reverse(*route);
+    return route != nullptr;
+  }
   bool operator()(const GiveAddress& e) const {
     floor::VehicleSetup* v = lastWhere(site.vehicles, [&](const floor::VehicleSetup& x) { return x == e.vehicle; });
     if (v != nullptr) v->id = e.id;

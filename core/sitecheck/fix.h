@@ -55,6 +55,23 @@ struct SetLegSpeed {
   std::optional<MetresPerSecond> after;
   bool operator==(const SetLegSpeed&) const = default;
 };
+/// Of all legs at once, as where a bend lies between two.
+struct SetLegSpeeds {
+  floor::Route before;
+  std::vector<std::optional<MetresPerSecond>> after;
+  bool operator==(const SetLegSpeeds&) const = default;
+};
+/// As many as there were: each leg keeps its speed.
+struct MoveVertices {
+  std::string route;
+  std::vector<Point> before;
+  std::vector<Point> after;
+  bool operator==(const MoveVertices&) const = default;
+};
+struct ReverseRoute {
+  floor::Route before;
+  bool operator==(const ReverseRoute&) const = default;
+};
 struct GiveAddress {
   floor::VehicleSetup vehicle;  ///< as it is
   VehicleId id;
@@ -62,7 +79,7 @@ struct GiveAddress {
 };
 
 using Edit = std::variant<MoveTile, TakeTileUp, ForgetTile, ClearUid, ForgetLooseTag, ReplaceOutline, ReplaceVertices,
-                          SetLegSpeed, GiveAddress>;
+                          SetLegSpeed, SetLegSpeeds, MoveVertices, ReverseRoute, GiveAddress>;
 
 struct Fix {
   Sentence sentence;  ///< an order: "Move tile "T-1" to (0.6, 1.2) m"

@@ -23,10 +23,13 @@ struct CheckOptions {
   Radians sharpCorner{0.35};
   /// Parts of a zone are joined by a passage no narrower than this.
   Metres passage{0.10};
+  /// Room that a vehicle's outline is to keep all around from what it must not touch, beyond where it may be.
+  Metres clearance{0.0};
   /// A vehicle that is commanded less often than this drives in jerks: it stops by itself in between.
   Seconds longestRound{1.0};
   /// Of each kind so many are told one by one; the rest in one sentence.
   std::size_t mostOfAKind = 1000;
+  bool operator==(const CheckOptions&) const = default;
 };
 
 }  // namespace tessera::sitecheck

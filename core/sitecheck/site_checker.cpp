@@ -155,8 +155,11 @@ const Verdict& SiteChecker::check(std::shared_ptr<const Site> site) {
     runPerItem(gaps_, zonesBefore, site_->zones, (changed & kGapsRead) != 0 || noGo != zones_.noGo,
                [&](std::size_t i) { return checkGaps(context, i); });
   if ((changed & (kWaysRead | kRoutes)) != 0)
-    runPerItem(ways_, routesBefore, site_->routes, (changed & kWaysRead) != 0,
-               [&](std::size_t i) { return checkRouteWay(context, site_->routes[i]); });
+    runPerItem(ways_, routesBefore, site_->routes, (changed & kWaysRead) != 0, [&](std::size_t i) {
+      Faults faults = checkRouteWay(context, site_->routes[i]);
+      offerRouteFixes(context, site_->routes[i], faults);
+      return faults;
+    });
   if ((changed & (kTagsRead | kRoutes)) != 0)
     runPerItem(tags_, routesBefore, site_->routes, (changed & kTagsRead) != 0,
                [&](std::size_t i) { return checkRouteTags(context, site_->routes[i]); });
@@ -169,6 +172,7 @@ const Verdict& SiteChecker::check(std::shared_ptr<const Site> site) {
 Faults SiteChecker::tryRoute(const floor::Route& route) const {
   if (site_ == nullptr) return {};
   const Context context{*site_, options_, plan_, zones_, looseTags_};
+  // What is not in the site yet cannot be mended there.
   Faults faults = checkRouteWay(context, route);
   Faults blind = checkRouteTags(context, route);
   faults.insert(faults.end(), blind.begin(), blind.end());

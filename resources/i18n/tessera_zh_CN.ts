@@ -1830,6 +1830,26 @@
         <source>The site was edited meanwhile: nothing was changed.</source>
         <translation>场地已被修改：未作任何更改。</translation>
     </message>
+    <message>
+        <source>On route &quot;%1&quot; vehicle &quot;%2&quot; with %5 m of room around it sticks out of the zones in which it may be, over %3 m² about %4 m.</source>
+        <translation>在路径“%1”上，车辆“%2”连同其四周 %5 m 的空间超出允许区域 %3 m²，位于 %4 m 附近。</translation>
+    </message>
+    <message>
+        <source>Reverse route &quot;%1&quot;</source>
+        <translation>将路径“%1”反向</translation>
+    </message>
+    <message>
+        <source>Slow route &quot;%1&quot; down in its bends, to %2 m/s in the tightest</source>
+        <translation>降低路径“%1”在弯道中的速度，最急处为 %2 m/s</translation>
+    </message>
+    <message>
+        <source>Move vertex %2 of route &quot;%1&quot; by %3 m, to where there is room</source>
+        <translation>将路径“%1”的顶点 %2 移动 %3 m，移到有足够空间之处</translation>
+    </message>
+    <message>
+        <source>Move %2 vertices of route &quot;%1&quot; by up to %3 m, to where there is room</source>
+        <translation>将路径“%1”的 %2 个顶点移动最多 %3 m，移到有足够空间之处</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>
@@ -4157,6 +4177,10 @@ Can be mended: %2.</source>
     <message>
         <source>Faults of the site</source>
         <translation>场地的问题</translation>
+    </message>
+    <message>
+        <source>No single edit mends this fault.</source>
+        <translation>没有一步编辑能够修正此问题。</translation>
     </message>
 </context>
 <context>

@@ -41,7 +41,8 @@ TEST(Fix, doesNothingToASiteThatIsNoLongerAsItWas) {
         Edit{ForgetTile{site.tiles[0]}}, Edit{ClearUid{"T-0001", 0, site.tiles[1].uids[0]}},
         Edit{ClearUid{"T-0001", 900, {}}}, Edit{ForgetLooseTag{}}, Edit{ReplaceOutline{"Floor", {}, {}}},
         Edit{ReplaceVertices{"round", {}, {}}}, Edit{SetLegSpeed{"round", 0, MetresPerSecond{1}, {}}},
-        Edit{SetLegSpeed{"round", 9, {}, MetresPerSecond{1}}}, Edit{GiveAddress{{}, VehicleId{3}}}}) {
+        Edit{SetLegSpeed{"round", 9, {}, MetresPerSecond{1}}}, Edit{SetLegSpeeds{{}, {}}},
+        Edit{MoveVertices{"round", {}, {}}}, Edit{ReverseRoute{}}, Edit{GiveAddress{{}, VehicleId{3}}}}) {
     EXPECT_FALSE(mend(edit, site)) << edit.index();
   }
   EXPECT_EQ(site, goodFloor());

@@ -132,8 +132,9 @@ void FaultPanel::refreshActions() {
   const Fault* fault = row >= 0 ? &model_->fault(row) : nullptr;
   show_->setEnabled(fault != nullptr && fault->place);
   mend_->setEnabled(fault != nullptr && fault->fix);
-  mend_->setToolTip(fault != nullptr && fault->fix ? text(fault->fix->sentence)
-                                                   : tr("For some faults there is an edit that mends them."));
+  mend_->setToolTip(fault == nullptr ? tr("For some faults there is an edit that mends them.")
+                    : fault->fix     ? text(fault->fix->sentence)
+                                     : tr("No single edit mends this fault."));
 }
 
 void FaultPanel::goTo(int row) {

@@ -126,10 +126,25 @@ TEST_F(FaultsUnderTest, MendsAFaultInOneStepThatCanBeUndone) {
   EXPECT_GE(rowWith("same point twice"), 0);
 }
 
+TEST_F(FaultsUnderTest, MovesARouteToWhereItsVehiclesHaveRoom) {
+  addRoute({placeAt(0.5, 0.03), placeAt(2.0, 0.03)});
+  const int row = rowWith("sticks out");
+  ASSERT_GE(row, 0) << all().toStdString();
+  list().setCurrentIndex(list().model()->index(row, 0));
+  EXPECT_TRUE(action("mendFault").toolTip().startsWith("Move 2 vertices of route"))
+      << action("mendFault").toolTip().toStdString();
+  list().setFocus();
+  QTest::keyClick(&list(), Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_GT(document.site().routes[0].vertices[0].y, Metres{0.05});
+  ASSERT_TRUE(settled());
+  EXPECT_EQ(rowWith("sticks out"), -1) << all().toStdString();
+}
+
 TEST_F(FaultsUnderTest, OffersNoMendingWhereThereIsNone) {
   addRoute({placeAt(0.5, 0.5), placeAt(9, 0.5)});
   list().setCurrentIndex(list().model()->index(rowWith("outside the zones"), 0));
   EXPECT_FALSE(action("mendFault").isEnabled());
+  EXPECT_EQ(action("mendFault").toolTip(), "No single edit mends this fault.");
   EXPECT_TRUE(action("showFault").isEnabled());
 }
 
