@@ -42,6 +42,8 @@ public:
   void prepare(const Ground& ground);
   /// Draws on what is not settled, some milliseconds long. True: another picture is shown from now on, all of it.
   bool work(const Ground& ground, std::chrono::milliseconds patience);
+  /// Another picture has been begun and is not shown yet.
+  [[nodiscard]] bool isWorking() const { return job_.has_value(); }
   /// What is shown is what was asked for.
   [[nodiscard]] bool settled() const { return !job_ && !wantsJob(); }
   /// Puts the part of it that the rectangle (logical pixels of the window) shows.
