@@ -11,6 +11,7 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 #include <iostream>
@@ -222,6 +223,8 @@ void MainWindow::retranslate() {
   Q_EMIT canvas_->hintChanged(canvas_->tool() != nullptr ? canvas_->tool()->hint() : QString{});
   showSite();
   showFleetState();
+  // The bar gives its corner another width only when it is asked to; by then the button has its new text.
+  QTimer::singleShot(0, this, [this] { menuBar()->setCornerWidget(stopAll_, Qt::TopRightCorner); });
 }
 
 void MainWindow::tell(const QString& sentence) { statusBar()->showMessage(sentence, 15000); }

@@ -57,6 +57,7 @@ void RadioDialog::layOut() {
   powerHint_.setWordWrap(true);
   powerHint_.setForegroundRole(QPalette::PlaceholderText);
   powerLabel_.setBuddy(&power_);
+  power_.setSizeAdjustPolicy(QComboBox::AdjustToContents);  // its texts change with the language
   table_.setColumnCount(3);
   table_.verticalHeader()->hide();
   table_.setEditTriggers(QAbstractItemView::NoEditTriggers);

@@ -3,10 +3,14 @@
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QApplication>
+#include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
+#include <QHeaderView>
 #include <QLabel>
 #include <QScrollArea>
+#include <QStyleOptionComboBox>
+#include <QToolButton>
 #include <array>
 
 #include "app/desktop/desktop_fixture.h"
@@ -47,10 +51,27 @@ QStringList clippedTexts(const QWidget& root) {
       whole = label->wordWrap() ? label->heightForWidth(label->width()) <= label->height() + 1
                                 : width + 1 >= label->minimumSizeHint().width() - 2 * label->margin();
     } else if (const auto* button = qobject_cast<const QAbstractButton*>(widget);
-               button != nullptr && !button->text().isEmpty() && button->inherits("QPushButton")) {
+               button != nullptr && !button->text().isEmpty()) {
+      const auto* tool = qobject_cast<const QToolButton*>(button);
+      if (tool != nullptr && tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull()) continue;
       text = QString{button->text()}.remove('&');
-      whole = button->fontMetrics().horizontalAdvance(text) <= button->width() &&
-              button->height() + 1 >= button->fontMetrics().height();
+      const bool plain = button->inherits("QPushButton");  // a styled one may be narrower than its hint
+      const int needed = plain ? button->fontMetrics().horizontalAdvance(text) : button->sizeHint().width();
+      whole = needed <= button->width() && button->height() + 1 >= button->fontMetrics().height();
+    } else if (const auto* combo = qobject_cast<const QComboBox*>(widget); combo != nullptr && !combo->isEditable()) {
+      text = combo->currentText();
+      QStyleOptionComboBox option;
+      option.initFrom(combo);
+      const QSize bare{combo->fontMetrics().boundingRect(text).width(), combo->fontMetrics().height()};
+      whole = combo->style()->sizeFromContents(QStyle::CT_ComboBox, &option, bare, combo).width() <= combo->width();
+    } else if (const auto* header = qobject_cast<const QHeaderView*>(widget); header != nullptr) {
+      for (int n = 0; n < header->count(); ++n) {
+        if (header->isSectionHidden(n)) continue;
+        const QString title = header->model()->headerData(n, header->orientation()).toString();
+        if (header->fontMetrics().horizontalAdvance(title) <= header->sectionSize(n)) continue;
+        text = title;
+        whole = false;
+      }
     }
     if (!whole) clipped << QStringLiteral("%1 “%2”").arg(widget->objectName(), text);
   }
