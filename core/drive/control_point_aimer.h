@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "drive/control_points.h"
-#include "drive/leg_limits.h"
 #include "drive/route_follower.h"
+#include "drive/stretch_limits.h"
 
 namespace tessera::drive {
 
@@ -22,10 +22,13 @@ public:
   [[nodiscard]] std::string_view name() const override { return kName; }
 
 private:
+  void drive(Decision& decision, const PredictedState& predicted) const;
+
   Polyline route_;
   std::vector<ControlPoint> points_;
   SpeedPlan plan_;
-  LegLimits legs_;
+  StretchLimits legs_;
+  std::shared_ptr<WayGuard> guard_;
   std::size_t next_ = 0;
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace tessera::drive {
 namespace {
@@ -16,7 +18,10 @@ constexpr Radians kMisaligned{1.05};  // 60°: it stops and turns on the spot in
 }  // namespace
 
 LookAheadFollower::LookAheadFollower(const FollowerSetup& setup)
-    : route_{setup.route.vertices}, plan_{setup.ability, setup.plan}, legs_{setup.route} {}
+    : route_{setup.route.vertices},
+      plan_{setup.ability, setup.plan},
+      legs_{StretchLimits::ofLegs(setup.route)},
+      guard_{setup.guard} {}
 
 void LookAheadFollower::layPath(Point from) {
   const Metres reached = laid_ ? std::max(Metres{}, progress_ - approach_) + skipped_ : Metres{};
@@ -33,6 +38,7 @@ void LookAheadFollower::layPath(Point from) {
   progress_ = Metres{};
   laid_ = true;
   turning_ = true;
+  if (guard_) guard_->laid(path_);
   findStop();
 }
 
@@ -67,6 +73,16 @@ Decision LookAheadFollower::stand(Phase phase, Radians heading, const VehicleSta
   return decision;
 }
 
+SpeedLimit LookAheadFollower::speedLimit(const PredictedState& predicted, Radians error, Metres gate) const {
+  // The wheels are late as well: the speed is to be right where a slower stretch begins.
+  const Seconds delay = predicted.delay + plan_.ability().lag;
+  const Metres doubt = kSurely * predicted.state.sigma;
+  SpeedLimit stretch = legs_.at(along(), doubt, delay, plan_, skipped_);
+  if (guard_) stretch = stricter(stretch, guard_->limits().at(progress_, doubt, delay, plan_));
+  return plan_.at({path_.startOf(stop_) - progress_, stop_ == path_.legCount(), predicted.delay, predicted.state.sigma,
+                   error, stretch, gate - progress_});
+}
+
 Decision LookAheadFollower::decide(const PredictedState& predicted, Seconds now) {
   static_cast<void>(now);
   const VehicleState& state = predicted.state;
@@ -97,6 +113,14 @@ Decision LookAheadFollower::decide(const PredictedState& predicted, Seconds now)
     across_ = path_.project(here, progress_, std::min(progress_ + kWindow, path_.startOf(stop_))).across;
   }
 
+  const Metres gate = guard_ ? guard_->mayGoTo(progress_, plan_.stoppingWay(predicted.delay + plan_.ability().lag))
+                             : Metres{std::numeric_limits<double>::infinity()};
+  const bool waited = std::exchange(waiting_, gate - progress_ <= plan_.options().stopTolerance);
+  if (waiting_) {
+    if (!waited) holding_ = state.pose.heading;
+    return stand(Phase::Waiting, holding_, state);
+  }
+
   const Metres look =
       lookAhead(std::max(state.speed, plan_.options().creep), predicted.delay, plan_.ability(), plan_.options());
   Decision decision;
@@ -111,11 +135,7 @@ Decision LookAheadFollower::decide(const PredictedState& predicted, Seconds now)
     turning.speedReason = SpeedReason::Heading;
     return turning;
   }
-  // The wheels are late as well: the speed is to be right where a slower leg begins.
-  const SpeedLimit legs =
-      legs_.at(along(), kSurely * state.sigma, predicted.delay + plan_.ability().lag, plan_, skipped_);
-  const SpeedLimit limit = plan_.at(
-      {path_.startOf(stop_) - progress_, stop_ == path_.legCount(), predicted.delay, state.sigma, error, legs});
+  const SpeedLimit limit = speedLimit(predicted, error, gate);
   decision.command = {limit.speed, heading};
   decision.phase = progress_ < approach_ ? Phase::Approaching : Phase::OnLeg;
   decision.speedReason = limit.reason;

@@ -2,8 +2,8 @@
 // corners and turns there on the spot. It never drives backwards and never turns back for a point that it has passed.
 #pragma once
 
-#include "drive/leg_limits.h"
 #include "drive/route_follower.h"
+#include "drive/stretch_limits.h"
 
 namespace tessera::drive {
 
@@ -23,6 +23,7 @@ private:
   void layPath(Point from);
   void findStop();
   [[nodiscard]] Point aim(Metres look) const;
+  [[nodiscard]] SpeedLimit speedLimit(const PredictedState& predicted, Radians error, Metres gate) const;
   [[nodiscard]] Decision stand(Phase phase, Radians heading, const VehicleState& state) const;
   /// On the route, of the progress on the path; negative while the route is still to be reached.
   [[nodiscard]] Metres along() const { return progress_ - approach_ + skipped_; }
@@ -30,7 +31,8 @@ private:
 
   Polyline route_;
   SpeedPlan plan_;
-  LegLimits legs_;
+  StretchLimits legs_;
+  std::shared_ptr<WayGuard> guard_;
   Polyline path_;
   Metres approach_;       ///< length of the leg that leads up to the route
   Metres skipped_;        ///< distance on the route at which the approach ends
@@ -39,8 +41,9 @@ private:
   std::size_t stop_ = 0;  ///< vertex of the path at which it stops next
   bool laid_ = false;
   bool turning_ = true;
+  bool waiting_ = false;
   bool finished_ = false;
-  Radians holding_;  ///< heading while it stands
+  Radians holding_;  ///< heading while it waits, and at the end
 };
 
 }  // namespace tessera::drive

@@ -20,6 +20,12 @@ Pattern because(SpeedReason reason) {
       return phrase("Core", "no faster on this leg");
     case SpeedReason::SlowerLeg:
       return phrase("Core", "slowing down before a slower leg");
+    case SpeedReason::Zone:
+      return phrase("Core", "no faster in this slow zone");
+    case SpeedReason::SlowZone:
+      return phrase("Core", "slowing down before a slow zone");
+    case SpeedReason::Gate:
+      return phrase("Core", "slowing down, as the way ahead is not free");
     case SpeedReason::Corner:
       return phrase("Core", "slowing down before the corner");
     case SpeedReason::End:
@@ -66,6 +72,8 @@ Sentence sentence(const Decision& d, const Polyline& route) {
     case Phase::Turning:
       return phrase("Core", "Turning on the spot by %1° to leg %2 of %3.")
           .with(number(degrees(d.headingError), "%.0f"), d.leg + 1, route.legCount());
+    case Phase::Waiting:
+      return phrase("Core", "Waiting until the way ahead is free.");
     case Phase::Finished:
       return phrase("Core", "At the end of the route.");
     case Phase::Lost:

@@ -13,6 +13,7 @@
 #include "drive/command.h"
 #include "drive/predictor.h"
 #include "drive/speed_plan.h"
+#include "drive/way_guard.h"
 
 namespace tessera::drive {
 
@@ -20,6 +21,7 @@ enum class Phase {
   Approaching,  ///< on the way to the route's start, or back to where it left the route
   OnLeg,        ///< following a leg
   Turning,      ///< standing at a vertex, turning to the next leg
+  Waiting,      ///< standing where it waits for others
   Finished,     ///< at the route's end, or past it; stands
   Lost,         ///< place unknown; stands
 };
@@ -60,7 +62,8 @@ public:
 struct FollowerSetup {
   floor::Route route;
   VehicleAbility ability;
-  SpeedPlanOptions plan;  ///< plan.requested is the speed asked for
+  SpeedPlanOptions plan;                 ///< plan.requested is the speed asked for
+  std::shared_ptr<WayGuard> guard = {};  ///< nullptr: the whole way is free
 };
 
 /// Names that makeRouteFollower knows; the first is the default.

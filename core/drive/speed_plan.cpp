@@ -34,10 +34,15 @@ Metres lookAhead(MetresPerSecond speed, Seconds delay, const VehicleAbility& abi
   return std::clamp(Metres{std::max(stable, damped)}, options.shortestLook, options.longestLook);
 }
 
+Metres SpeedPlan::stoppingWay(Seconds delay) const {
+  const double top = std::min(options_.requested, ability_.maxSpeed).value();
+  return Metres{top * bounded(delay) + top * top / (2.0 * braking().value())};
+}
+
 SpeedLimit SpeedPlan::at(const Situation& situation) const {
   SpeedLimit limit{std::min(options_.requested, ability_.maxSpeed), SpeedReason::Requested};
   // Before the creep: a leg may be slower than that.
-  if (situation.legs.speed < limit.speed) limit = situation.legs;
+  if (situation.stretch.speed < limit.speed) limit = situation.stretch;
   const MetresPerSecond creep = std::min(options_.creep, limit.speed);
   const auto cut = [&](double speed, SpeedReason reason) {
     const MetresPerSecond allowed = std::max(MetresPerSecond{speed}, creep);
@@ -51,6 +56,7 @@ SpeedLimit SpeedPlan::at(const Situation& situation) const {
   cut(limit.speed.value() * shareLeft(off), SpeedReason::Heading);
   cut(brakingSpeed(situation.toStop, MetresPerSecond{}, situation.delay, braking()).value(),
       situation.stopIsEnd ? SpeedReason::End : SpeedReason::Corner);
+  cut(brakingSpeed(situation.toGate, MetresPerSecond{}, situation.delay, braking()).value(), SpeedReason::Gate);
   return limit;
 }
 

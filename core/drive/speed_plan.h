@@ -1,5 +1,5 @@
-// How fast a vehicle may go where: the speed asked for or its leg's, cut down before slower legs, corners and the
-// route's end, by the radio's delay, and by doubt about its place (regulated pure pursuit, Macenski et al., arXiv
+// How fast a vehicle may go where: the speed asked for or its leg's or zone's, cut down before slower ones, corners and
+// the route's end, by the radio's delay, and by doubt about its place (regulated pure pursuit, Macenski et al., arXiv
 // 2305.20026, in the same spirit).
 #pragma once
 
@@ -10,12 +10,13 @@
 namespace tessera::drive {
 
 /// Why the speed is what it is; the strictest reason.
-enum class SpeedReason { Requested, Leg, SlowerLeg, Corner, End, Delay, Uncertainty, Heading };
+enum class SpeedReason { Requested, Leg, SlowerLeg, Zone, SlowZone, Gate, Corner, End, Delay, Uncertainty, Heading };
 
 struct SpeedLimit {
   MetresPerSecond speed;
   SpeedReason reason = SpeedReason::Requested;
 };
+[[nodiscard]] inline SpeedLimit stricter(const SpeedLimit& a, const SpeedLimit& b) { return b.speed < a.speed ? b : a; }
 
 struct SpeedPlanOptions {
   MetresPerSecond requested{0.12};
@@ -46,14 +47,17 @@ public:
     Seconds delay;         ///< what the command holds on for at least: period and jitter of the way there
     Metres sigma;          ///< doubt about the place
     Radians headingError;  ///< between the nose and the way to go
-    /// What the legs allow, as LegLimits has it.
-    SpeedLimit legs{MetresPerSecond{std::numeric_limits<double>::infinity()}, SpeedReason::Leg};
+    /// What legs and slow zones allow, as StretchLimits has it.
+    SpeedLimit stretch{MetresPerSecond{std::numeric_limits<double>::infinity()}, SpeedReason::Leg};
+    Metres toGate{std::numeric_limits<double>::infinity()};  ///< way left to where it waits for others
   };
   [[nodiscard]] SpeedLimit at(const Situation& situation) const;
   /// Whether a vehicle stops where the line turns by this much.
   [[nodiscard]] bool isSharp(Radians turn) const { return abs(turn) >= options_.sharpCorner; }
   /// What planned braking takes.
   [[nodiscard]] MetresPerSecond2 braking() const { return options_.brakingShare * ability_.acceleration; }
+  /// The way in which it stops from its highest speed.
+  [[nodiscard]] Metres stoppingWay(Seconds delay) const;
   [[nodiscard]] const SpeedPlanOptions& options() const { return options_; }
   [[nodiscard]] const VehicleAbility& ability() const { return ability_; }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/polyline.h"
-#include "drive/leg_limits.h"
 
 namespace tessera::drive {
 namespace {
@@ -28,10 +27,10 @@ double turningTime(double turn, const VehicleAbility& ability) {
 }  // namespace
 
 Seconds travelTime(const floor::Route& route, const VehicleAbility& ability, const SpeedPlanOptions& options,
-                   Seconds delay) {
+                   Seconds delay, const StretchLimits& zones) {
   const Polyline line{route.vertices};
   const SpeedPlan plan{ability, options};
-  const LegLimits limits{route};
+  const StretchLimits limits = StretchLimits::ofLegs(route);
   double seconds = 0.0;
   double speed = 0.0;
   const double step = std::max(kFinest, line.length().value() / kPieces);
@@ -42,8 +41,10 @@ Seconds travelTime(const floor::Route& route, const VehicleAbility& ability, con
     double left = (line.startOf(stop) - line.startOf(leg)).value();
     while (left > options.stopTolerance.value()) {
       const double way = std::min(step, left);
-      const SpeedLimit legs = limits.at(line.startOf(stop) - Metres{left}, {}, delay + ability.lag, plan);
-      const double allowed = plan.at({Metres{left}, end, delay, Metres{}, Radians{}, legs}).speed.value();
+      const Metres along = line.startOf(stop) - Metres{left};
+      const SpeedLimit stretch =
+          stricter(limits.at(along, {}, delay + ability.lag, plan), zones.at(along, {}, delay + ability.lag, plan));
+      const double allowed = plan.at({Metres{left}, end, delay, Metres{}, Radians{}, stretch}).speed.value();
       const double next = std::min(allowed, std::sqrt(speed * speed + 2.0 * ability.acceleration.value() * way));
       seconds += 2.0 * way / (speed + next);
       speed = next;

@@ -132,6 +132,10 @@ Pattern causeText(wire::ResetCause cause) {
   return phrase("Core", "the cause is unknown");
 }
 
+Sentence vehicleName(const floor::VehicleSetup& setup) {
+  return setup.name.empty() ? phrase("Core", "Vehicle %1").with(setup.id.value) : Sentence{setup.name};
+}
+
 std::string decimal(double value, int decimals) {
   std::array<char, 64> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals).ptr;

@@ -7,6 +7,7 @@
 
 #include "base/sentence.h"
 #include "base/units.h"
+#include "floor/site.h"
 #include "link/link_event.h"
 #include "wire/messages.h"
 #include "wire/parameters.h"
@@ -31,6 +32,9 @@ struct FaultText {
 
 /// Why a vehicle started anew: "its power was switched on", "its watchdog ended a hang" and so on.
 [[nodiscard]] Pattern causeText(wire::ResetCause cause);
+
+/// A vehicle's name for people; its address where it has none.
+[[nodiscard]] Sentence vehicleName(const floor::VehicleSetup& setup);
 
 /// A number with a fixed count of decimals, independent of the locale.
 [[nodiscard]] std::string decimal(double value, int decimals);

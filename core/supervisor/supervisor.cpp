@@ -18,6 +18,7 @@ struct Supervisor::Impl {
   std::shared_ptr<const floor::SiteMap> site;
   Config config;
   link::Channel channel;
+  std::shared_ptr<traffic::Traffic> traffic;
   std::vector<VehicleAgent> agents;
   std::vector<Order> orders;
   EventLog log;
@@ -51,6 +52,8 @@ Result<Supervisor> Supervisor::create(std::shared_ptr<const floor::SiteMap> map,
   channel.airRate = site.radio.airRate;
   channel.baud = site.radio.baud;
   channel.nonceSeed = config.seed;
+  const auto traffic = std::make_shared<traffic::Traffic>();
+  traffic->zones = traffic::ZoneMap{site.zones};
   std::vector<VehicleAgent> agents;
   for (const VehicleId id : config.vehicles) {
     const floor::VehicleSetup* setup = map->vehicle(id);
@@ -59,11 +62,12 @@ Result<Supervisor> Supervisor::create(std::shared_ptr<const floor::SiteMap> map,
     const auto offered = config.offeredKeys.find(id);
     channel.vehicles.push_back(
         {id, setup->key, offered == config.offeredKeys.end() ? std::nullopt : std::optional{offered->second}});
-    auto agent = VehicleAgent::create(map, *setup, config.locator, config.controller);
+    auto agent = VehicleAgent::create(map, *setup, config.locator, config.controller, traffic);
     if (!agent) return tl::unexpected{agent.error()};
     agents.push_back(std::move(*agent));
   }
   auto impl = std::make_unique<Impl>(map, config, channel);
+  impl->traffic = traffic;
   impl->agents = std::move(agents);
   return Supervisor{std::move(impl)};
 }
@@ -192,8 +196,12 @@ void Supervisor::Impl::useSite(const UseSite& order) {
                     "The site's vehicles or its radio have changed: supervision must be restarted to take them over."));
     return;
   }
+  const bool otherZones = site->site().zones != order.map->site().zones;
   site = order.map;
   for (VehicleAgent& a : agents) a.use(site);
+  if (!otherZones) return;
+  *traffic = {traffic::ZoneMap{site->site().zones}, {}};
+  for (VehicleAgent& a : agents) a.useTraffic();
 }
 
 void Supervisor::Impl::hear(const link::LinkEvent& event, Seconds now) {

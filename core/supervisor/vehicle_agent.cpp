@@ -19,19 +19,24 @@ constexpr RadiansPerSecond kStandingTurn{0.1};  // the compass is noisy
 
 }  // namespace
 
-VehicleAgent::VehicleAgent(std::shared_ptr<const floor::SiteMap> map, floor::VehicleSetup setup)
-    : map_{std::move(map)}, setup_{std::move(setup)}, ability_{drive::abilityOf(setup_)}, hand_{ability_} {
+VehicleAgent::VehicleAgent(std::shared_ptr<const floor::SiteMap> map, floor::VehicleSetup setup,
+                           std::shared_ptr<traffic::Traffic> traffic)
+    : map_{std::move(map)},
+      setup_{std::move(setup)},
+      ability_{drive::abilityOf(setup_)},
+      traffic_{std::move(traffic)},
+      body_{traffic::bodyBoxOf(setup_)},
+      hand_{ability_} {
   takeName();
   for (const FaultText& text : faultTexts()) faults_.emplace_back(text.quiet);
 }
 
-void VehicleAgent::takeName() {
-  name_ = setup_.name.empty() ? phrase("Core", "Vehicle %1").with(setup_.id.value) : Sentence{setup_.name};
-}
+void VehicleAgent::takeName() { name_ = vehicleName(setup_); }
 
 Result<VehicleAgent> VehicleAgent::create(std::shared_ptr<const floor::SiteMap> map, const floor::VehicleSetup& setup,
-                                          const std::string& locator, const std::string& controller) {
-  VehicleAgent agent{map, setup};
+                                          const std::string& locator, const std::string& controller,
+                                          std::shared_ptr<traffic::Traffic> traffic) {
+  VehicleAgent agent{map, setup, std::move(traffic)};
   agent.locatorName_ = locator.empty() ? locate::locatorNames().front() : std::string_view{locator};
   auto made = locate::makeLocator(agent.locatorName_, map, setup);
   if (!made) return tl::unexpected{made.error()};
@@ -91,6 +96,7 @@ link::Wish VehicleAgent::decide(Seconds now, const ChannelTiming& timing, EventL
   if (byHand_.update(task_ == Task::Jogging, now) == Episode::Change::Ends)
     log.tell(Severity::Info, EventKind::DrivenByHand, id(),
              phrase("Core", "%1 is no longer driven by hand.").with(name_), true);
+  watchZones();
   follow(now, timing, log);
   return wishFor(timing);
 }
@@ -187,6 +193,7 @@ Sentence VehicleAgent::waitReason(Seconds now, const PortView& port) const {
     return phrase("Core", "%1 waits: its place is not known. Put it where it reads tags.").with(name_);
   if (decision_ && decision_->phase == drive::Phase::Lost)
     return phrase("Core", "%1 waits: %2").with(name_, drive::sentence(*decision_, follower_->route()));
+  if (decision_ && decision_->phase == drive::Phase::Waiting) return zoneWait();
   if (report.state == wire::VehicleState::Expired)
     return phrase("Core", "%1 waits: its last command ran out.").with(name_);
   return {};

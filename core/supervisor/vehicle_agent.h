@@ -21,6 +21,7 @@
 #include "supervisor/order.h"
 #include "supervisor/sentences.h"
 #include "supervisor/snapshot.h"
+#include "traffic/zone_guard.h"
 
 namespace tessera::supervisor {
 
@@ -35,7 +36,8 @@ public:
   /// Error: an unknown locator or controller.
   [[nodiscard]] static Result<VehicleAgent> create(std::shared_ptr<const floor::SiteMap> map,
                                                    const floor::VehicleSetup& setup, const std::string& locator,
-                                                   const std::string& controller);
+                                                   const std::string& controller,
+                                                   std::shared_ptr<traffic::Traffic> traffic);
 
   [[nodiscard]] VehicleId id() const { return setup_.id; }
   [[nodiscard]] const Sentence& name() const { return name_; }
@@ -53,6 +55,8 @@ public:
   [[nodiscard]] bool mayBePaired(EventLog& log) const;
   /// The site was edited; the vehicle itself is what it was.
   void use(std::shared_ptr<const floor::SiteMap> map);
+  /// The zones of the traffic that it shares are others now.
+  void useTraffic();
 
   // What the channel tells of this vehicle.
   void take(const link::Identified& e, EventLog& log);
@@ -75,7 +79,8 @@ public:
   [[nodiscard]] bool stopped() const;
 
 private:
-  VehicleAgent(std::shared_ptr<const floor::SiteMap> map, floor::VehicleSetup setup);
+  VehicleAgent(std::shared_ptr<const floor::SiteMap> map, floor::VehicleSetup setup,
+               std::shared_ptr<traffic::Traffic> traffic);
   void takeName();
   void refuse(EventLog& log, const Sentence& why) const;
   void inTouch(EventLog& log);
@@ -88,6 +93,8 @@ private:
   [[nodiscard]] drive::VehicleState stateAt(Seconds until) const;
   void follow(Seconds now, const ChannelTiming& timing, EventLog& log);
   [[nodiscard]] link::Wish wishFor(const ChannelTiming& timing) const;
+  void watchZones();
+  [[nodiscard]] Sentence zoneWait() const;
   [[nodiscard]] Sentence waitReason(Seconds now, const PortView& port) const;
   [[nodiscard]] std::optional<CommandView> commandView(Seconds now) const;
 
@@ -99,6 +106,10 @@ private:
   drive::VehicleAbility ability_;
   std::unique_ptr<locate::Locator> locator_;
   std::unique_ptr<drive::RouteFollower> follower_;
+  std::shared_ptr<traffic::Traffic> traffic_;
+  std::shared_ptr<traffic::ZoneGuard> guard_;  ///< of the follower
+  traffic::BodyBox body_;
+  std::optional<Pose> under_;  ///< for which the traffic knows in which zones it is
   std::string routeName_;
   HandDrive hand_;
 

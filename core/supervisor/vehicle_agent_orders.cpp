@@ -20,13 +20,19 @@ void VehicleAgent::run(const RunRoute& order, EventLog& log) {
   if (Polyline{route->vertices}.legCount() == 0)
     return refuse(log,
                   phrase("Core", "%1: the route %2 needs at least two different points.").with(name_, order.route));
+  if (const auto wrong = traffic_->zones.wrongWay(Polyline{route->vertices}))
+    return refuse(log, phrase("Core", "%1: the route %2 leads %3 m the wrong way through the one-way zone %4.")
+                           .with(name_, order.route, decimal(wrong->length.value(), 2), wrong->zone));
   drive::FollowerSetup setup;
+  const auto guard = std::make_shared<traffic::ZoneGuard>(id(), body_, traffic_);
+  setup.guard = guard;
   setup.route = *route;
   setup.ability = ability_;
   setup.plan.requested = std::min(order.speed, ability_.maxSpeed);
   auto follower = drive::makeRouteFollower(controller_, setup);
   if (!follower) return refuse(log, Pattern{"", "%1: %2"}.with(name_, follower.error().sentence));
   follower_ = std::move(*follower);
+  guard_ = guard;
   routeName_ = order.route;
   decision_.reset();
   wished_.reset();
@@ -86,6 +92,7 @@ void VehicleAgent::jog(const Jog& order, EventLog& log) {
     return no(phrase("Core", "%1: it was stopped. Let the keys go before you drive it by hand again.").with(name_));
   if (task_ != Task::Jogging) {
     follower_.reset();
+    guard_.reset();
     routeName_.clear();
     decision_.reset();
     wished_.reset();

@@ -1850,6 +1850,46 @@
         <source>Move %2 vertices of route &quot;%1&quot; by up to %3 m, to where there is room</source>
         <translation>将路径“%1”的 %2 个顶点移动最多 %3 m，移到有足够空间之处</translation>
     </message>
+    <message>
+        <source>no faster in this slow zone</source>
+        <translation>在此慢行区域内不能更快</translation>
+    </message>
+    <message>
+        <source>slowing down before a slow zone</source>
+        <translation>进入慢行区域前减速</translation>
+    </message>
+    <message>
+        <source>slowing down, as the way ahead is not free</source>
+        <translation>前方道路未空出，正在减速</translation>
+    </message>
+    <message>
+        <source>Waiting until the way ahead is free.</source>
+        <translation>等待前方道路空出。</translation>
+    </message>
+    <message>
+        <source>%1: the route %2 leads %3 m the wrong way through the one-way zone %4.</source>
+        <translation>%1：路径 %2 有 %3 m 逆向穿过单行区域 %4。</translation>
+    </message>
+    <message>
+        <source>%1 waits: the way ahead has just become free.</source>
+        <translation>%1 正在等待：前方道路刚刚空出。</translation>
+    </message>
+    <message>
+        <source>%1 waits before the single-vehicle zone %2: %3 is in it.</source>
+        <translation>%1 在单车区域 %2 前等待：%3 在其中。</translation>
+    </message>
+    <message>
+        <source>%1 waits before the single-vehicle zone %2: %3 drives through it.</source>
+        <translation>%1 在单车区域 %2 前等待：%3 正要驶过。</translation>
+    </message>
+    <message>
+        <source>%1 waits before the single-vehicle zone %2: %3 came first.</source>
+        <translation>%1 在单车区域 %2 前等待：%3 先到。</translation>
+    </message>
+    <message>
+        <source>%1 waits at the single-vehicle zone %2: it and %3 stand in each other&apos;s way. Drive one of them out by hand.</source>
+        <translation>%1 在单车区域 %2 处等待：它与 %3 互相挡路。请手动将其中一辆驶出。</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>
@@ -5721,10 +5761,6 @@ x %2 m，y %3 m</translation>
         <translation>按此速度估算时间</translation>
     </message>
     <message>
-        <source>As %1 drives it at that speed: with its ramps, its top speed and its turns on the spot at corners.</source>
-        <translation>按%1以该速度行驶：包括加减速、最高速度和拐角处的原地转向。</translation>
-    </message>
-    <message>
         <source>&amp;Join</source>
         <translation>连接(&amp;J)</translation>
     </message>
@@ -5743,6 +5779,10 @@ x %2 m，y %3 m</translation>
     <message>
         <source>Length divided by speed, slower on legs that have a lower one. Choose a vehicle for the time with its ramps and turns.</source>
         <translation>长度除以速度，限速更低的路段按其速度计算。选择车辆后，给出含加减速和转向的时间。</translation>
+    </message>
+    <message>
+        <source>As %1 drives it at that speed: with its ramps, its top speed, slow zones and its turns on the spot at corners.</source>
+        <translation>按 %1 以该速度行驶计算：含加减速、最高速度、慢行区域及转角处的原地转向。</translation>
     </message>
 </context>
 <context>

@@ -7,8 +7,8 @@
 
 #include "drive/closed_loop.h"
 #include "drive/control_points.h"
-#include "drive/leg_limits.h"
 #include "drive/route_follower.h"
+#include "drive/stretch_limits.h"
 
 namespace tessera::drive {
 namespace {
@@ -109,13 +109,13 @@ TEST(SpeedPlan, saysTheStrictestReason) {
   EXPECT_EQ(plan.at(s).reason, SpeedReason::Heading);
 }
 
-TEST(LegLimits, holdWhereTheVehicleMayBeAndSlowItDownBefore) {
+TEST(StretchLimits, holdWhereTheVehicleMayBeAndSlowItDownBefore) {
   floor::Route route{"r", {{}, {Metres{1}, {}}, {Metres{2}, {}}, {Metres{3}, {}}}, Metres{0.2}};
   route.legSpeeds = {std::nullopt, MetresPerSecond{0.1}, std::nullopt};
   SpeedPlanOptions options;
   options.requested = MetresPerSecond{0.4};
   const SpeedPlan plan{VehicleAbility{}, options};
-  const LegLimits legs{route};
+  const StretchLimits legs = StretchLimits::ofLegs(route);
   const auto at = [&](double x, double doubt = 0.0) { return legs.at(Metres{x}, Metres{doubt}, Seconds{0.2}, plan); };
   EXPECT_GT(at(0.1).speed, options.requested) << "far away";
   EXPECT_EQ(at(1.0).speed, MetresPerSecond{0.1});
@@ -126,7 +126,7 @@ TEST(LegLimits, holdWhereTheVehicleMayBeAndSlowItDownBefore) {
   EXPECT_EQ(at(0.9).reason, SpeedReason::SlowerLeg);
   const double v = at(0.9).speed.value();
   EXPECT_NEAR(v * 0.2 + (v * v - 0.01) / (2 * 0.25), 0.08, 1e-6) << "held for the delay, then braked off";
-  EXPECT_EQ(legs.at(Metres{1.9}, {}, Seconds{0.2}, plan, Metres{2}).speed, LegLimits{{}}.at({}, {}, {}, plan).speed)
+  EXPECT_EQ(legs.at(Metres{1.9}, {}, Seconds{0.2}, plan, Metres{2}).speed, StretchLimits{}.at({}, {}, {}, plan).speed)
       << "a leg that is not driven at all";
 }
 
