@@ -1,18 +1,13 @@
 // Pictures of every view in both languages and appearances, with a look at each widget: is its text drawn whole? Run
 // once at each scale; the folder is TESSERA_PICTURES, or none are kept. docs/pictures/renew.sh renews docs/pictures.
-#include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QApplication>
-#include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
-#include <QHeaderView>
-#include <QLabel>
 #include <QScrollArea>
-#include <QStyleOptionComboBox>
-#include <QToolButton>
 #include <array>
 
+#include "app/desktop/clipped_texts.h"
 #include "app/desktop/desktop_fixture.h"
 #include "app/tessera/register_desk.h"
 #include "app/tessera/site_files.h"
@@ -37,46 +32,6 @@ constexpr std::array<Dress, 4> kDresses{{{"en-light", "en", Appearance::Light},
                                          {"en-dark", "en", Appearance::Dark},
                                          {"zh-light", "zh_CN", Appearance::Light},
                                          {"zh-dark", "zh_CN", Appearance::Dark}}};
-
-// Texts that are longer than the place they have; what scrolls may be longer.
-QStringList clippedTexts(const QWidget& root) {
-  QStringList clipped;
-  for (const QWidget* widget : root.findChildren<QWidget*>()) {
-    if (!widget->isVisibleTo(&root) || widget->visibleRegion().isEmpty()) continue;
-    QString text;
-    bool whole = true;
-    if (const auto* label = qobject_cast<const QLabel*>(widget); label != nullptr && !label->text().isEmpty()) {
-      text = label->text();
-      const int width = label->contentsRect().width();
-      whole = label->wordWrap() ? label->heightForWidth(label->width()) <= label->height() + 1
-                                : width + 1 >= label->minimumSizeHint().width() - 2 * label->margin();
-    } else if (const auto* button = qobject_cast<const QAbstractButton*>(widget);
-               button != nullptr && !button->text().isEmpty()) {
-      const auto* tool = qobject_cast<const QToolButton*>(button);
-      if (tool != nullptr && tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull()) continue;
-      text = QString{button->text()}.remove('&');
-      const bool plain = button->inherits("QPushButton");  // a styled one may be narrower than its hint
-      const int needed = plain ? button->fontMetrics().horizontalAdvance(text) : button->sizeHint().width();
-      whole = needed <= button->width() && button->height() + 1 >= button->fontMetrics().height();
-    } else if (const auto* combo = qobject_cast<const QComboBox*>(widget); combo != nullptr && !combo->isEditable()) {
-      text = combo->currentText();
-      QStyleOptionComboBox option;
-      option.initFrom(combo);
-      const QSize bare{combo->fontMetrics().boundingRect(text).width(), combo->fontMetrics().height()};
-      whole = combo->style()->sizeFromContents(QStyle::CT_ComboBox, &option, bare, combo).width() <= combo->width();
-    } else if (const auto* header = qobject_cast<const QHeaderView*>(widget); header != nullptr) {
-      for (int n = 0; n < header->count(); ++n) {
-        if (header->isSectionHidden(n)) continue;
-        const QString title = header->model()->headerData(n, header->orientation()).toString();
-        if (header->fontMetrics().horizontalAdvance(title) <= header->sectionSize(n)) continue;
-        text = title;
-        whole = false;
-      }
-    }
-    if (!whole) clipped << QStringLiteral("%1 “%2”").arg(widget->objectName(), text);
-  }
-  return clipped;
-}
 
 class Pictures : public DesktopTest {
 protected:
