@@ -48,6 +48,11 @@ if [ "$part" != real ]; then
   printf "\n== The publication's controller at 2.4 kbit/s: aims at the next control point, knows nothing of the delay\n"
   table --vehicle native --seeds 20 --baseline --out "$root/out/experiments/aimer" -- --lockstep --air-rate 2400 \
     --controller control-points --limit 600
+  printf '\n== Regulated Pure Pursuit, tuned to L = 0.3 m, at 2.4 kbit/s\n'
+  table --vehicle native --seeds 20 --baseline --out "$root/out/experiments/pursuit" -- --lockstep --air-rate 2400 \
+    --controller regulated-pure-pursuit
+  printf '\n== Controllers on a unicycle without radio\n'
+  if [ -x "$bin/bench_drive" ]; then "$bin/bench_drive"; else printf 'bench_drive is not built here\n'; fi
   printf '\n== The locator of the publication, for comparison\n'
   table --vehicle native --seeds 20 --baseline --out "$root/out/experiments/tag-centre" -- --lockstep --estimator tag-centre
   limits() { title=$1 folder=$2; shift 2; printf '\n== %s\n' "$title"; table --vehicle native --seeds 20 --limits --out "$root/out/experiments/$folder" "$@"; }

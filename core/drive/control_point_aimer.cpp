@@ -11,30 +11,7 @@ constexpr Metres kReached{0.05};  // the publication's position error: nearer it
 }  // namespace
 
 ControlPointAimer::ControlPointAimer(const FollowerSetup& setup, std::vector<ControlPoint> points)
-    : route_{setup.route.vertices},
-      points_{std::move(points)},
-      plan_{setup.ability, setup.plan},
-      legs_{StretchLimits::ofLegs(setup.route)},
-      guard_{setup.guard} {
-  if (guard_) guard_->laid(route_);
-}
-
-// It knows nothing of stops, doubt and what is under way, but speeds of legs and zones bind whoever leads, and so does
-// another vehicle's right of way.
-void ControlPointAimer::drive(Decision& decision, const PredictedState& predicted) const {
-  const Seconds delay = predicted.delay + plan_.ability().lag;
-  const Metres doubt = kReached + 2.0 * predicted.state.sigma;
-  SpeedLimit limit{std::min(plan_.options().requested, plan_.ability().maxSpeed), SpeedReason::Requested};
-  limit = stricter(limit, legs_.at(decision.progress, doubt, delay, plan_));
-  if (guard_) {
-    limit = stricter(limit, guard_->limits().at(decision.progress, doubt, delay, plan_));
-    const Metres left = guard_->mayGoTo(decision.progress, plan_.stoppingWay(delay)) - decision.progress;
-    if (left <= kReached) decision.phase = Phase::Waiting;
-    limit = stricter(limit, {brakingSpeed(left - kReached, {}, delay, plan_.braking()), SpeedReason::Gate});
-  }
-  decision.command.speed = limit.speed;
-  decision.speedReason = limit.reason;
-}
+    : route_{setup.route.vertices}, points_{std::move(points)}, limits_{setup, route_} {}
 
 Decision ControlPointAimer::decide(const PredictedState& predicted, Seconds now) {
   static_cast<void>(now);
@@ -57,7 +34,12 @@ Decision ControlPointAimer::decide(const PredictedState& predicted, Seconds now)
     decision.progress = near.along;
     decision.crossTrack = near.across;
   }
-  if (known && next_ < points_.size()) drive(decision, predicted);
+  if (known && next_ < points_.size()) {
+    const PlainLimits::Allowed allowed = limits_.at(decision.progress, kReached, predicted);
+    decision.command.speed = allowed.limit.speed;
+    decision.speedReason = allowed.limit.reason;
+    if (allowed.waits) decision.phase = Phase::Waiting;
+  }
   decision.remaining = route_.length() - decision.progress;
   decision.leg = route_.legAt(decision.progress);
   decision.headingError = turnBetween(state.pose.heading, decision.command.heading);

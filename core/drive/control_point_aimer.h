@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "drive/control_points.h"
-#include "drive/route_follower.h"
-#include "drive/stretch_limits.h"
+#include "drive/plain_limits.h"
 
 namespace tessera::drive {
 
@@ -22,13 +21,9 @@ public:
   [[nodiscard]] std::string_view name() const override { return kName; }
 
 private:
-  void drive(Decision& decision, const PredictedState& predicted) const;
-
   Polyline route_;
   std::vector<ControlPoint> points_;
-  SpeedPlan plan_;
-  StretchLimits legs_;
-  std::shared_ptr<WayGuard> guard_;
+  PlainLimits limits_;
   std::size_t next_ = 0;
 };
 

@@ -11,6 +11,7 @@ namespace {
 constexpr Metres kOnRoute{0.03};      // a vehicle this near to the start needs no way to it
 constexpr Metres kOffRoute{0.40};     // farther away it was carried, and is led back by a way of its own
 constexpr Metres kWindow{0.50};       // ahead of the progress, in which the nearest point is looked for
+constexpr Metres kBendWindow{0.06};   // over which a curve is taken to be even
 constexpr double kSurely = 2.0;       // standard deviations of the place within which a leg's speed holds
 constexpr Radians kAligned{0.087};    // 5°: turning on the spot ends
 constexpr Radians kMisaligned{1.05};  // 60°: it stops and turns on the spot in the middle of a leg, too
@@ -39,10 +40,15 @@ void LookAheadFollower::layPath(Point from) {
   laid_ = true;
   turning_ = true;
   if (guard_) guard_->laid(path_);
+  // A vehicle that holds headings turns no faster than this without slowing down by itself.
+  const VehicleAbility& ability = plan_.ability();
+  const double most = std::min(ability.maxTurnRate.value(), ability.headingGain * ability.fullSpeedError.value());
+  bends_ = bendLimits(path_, RadiansPerSecond{most}, plan_.options().sharpCorner);
   findStop();
 }
 
 void LookAheadFollower::findStop() {
+  begin_ = path_.legAt(progress_);
   stop_ = path_.legAt(progress_) + 1;
   while (stop_ < path_.legCount() && !plan_.isSharp(turnBetween(path_.headingOf(stop_ - 1), path_.headingOf(stop_))))
     ++stop_;
@@ -73,11 +79,27 @@ Decision LookAheadFollower::stand(Phase phase, Radians heading, const VehicleSta
   return decision;
 }
 
+// The curve's own turn rate, as the wheels will have it when they obey, and what brings the nose to the course.
+Radians LookAheadFollower::holdOnCurve(const PredictedState& predicted, Radians course) const {
+  const VehicleState& state = predicted.state;
+  const VehicleAbility& ability = plan_.ability();
+  const double speed = std::max(state.speed, plan_.options().creep).value();
+  const double delay = std::isfinite(predicted.delay.value()) ? predicted.delay.value() : 0.0;
+  const Metres late{speed * (ability.lag.value() + 0.5 * delay)};
+  const double error = turnBetween(state.pose.heading, course).value();
+  const double rate = speed * curve().curvature(progress_ + late) + ability.headingGain * error;
+  const double most = ability.maxTurnRate.value();
+  return headingToTurn(RadiansPerSecond{std::clamp(rate, -most, most)}, state.pose.heading, predicted.delay, ability);
+}
+
+Bends LookAheadFollower::curve() const { return {path_, path_.startOf(begin_), path_.startOf(stop_), kBendWindow}; }
+
 SpeedLimit LookAheadFollower::speedLimit(const PredictedState& predicted, Radians error, Metres gate) const {
   // The wheels are late as well: the speed is to be right where a slower stretch begins.
   const Seconds delay = predicted.delay + plan_.ability().lag;
   const Metres doubt = kSurely * predicted.state.sigma;
   SpeedLimit stretch = legs_.at(along(), doubt, delay, plan_, skipped_);
+  stretch = stricter(stretch, bends_.at(progress_, {}, delay, plan_));
   if (guard_) stretch = stricter(stretch, guard_->limits().at(progress_, doubt, delay, plan_));
   return plan_.at({path_.startOf(stop_) - progress_, stop_ == path_.legCount(), predicted.delay, predicted.state.sigma,
                    error, stretch, gate - progress_});
@@ -125,7 +147,11 @@ Decision LookAheadFollower::decide(const PredictedState& predicted, Seconds now)
       lookAhead(std::max(state.speed, plan_.options().creep), predicted.delay, plan_.ability(), plan_.options());
   Decision decision;
   decision.target = aim(look);
-  const Radians heading = direction(decision.target - here);
+  const bool curved = stop_ - begin_ > 1;
+  // Straight on the two are the same: towards the line, the more so the farther away it is.
+  const Radians heading = curved
+                              ? wrapped(curve().heading(progress_) - Radians{std::atan2(across_.value(), look.value())})
+                              : direction(decision.target - here);
   const Radians error = turnBetween(state.pose.heading, heading);
   if (abs(error) > kMisaligned) turning_ = true;
   if (abs(error) < kAligned) turning_ = false;
@@ -136,7 +162,7 @@ Decision LookAheadFollower::decide(const PredictedState& predicted, Seconds now)
     return turning;
   }
   const SpeedLimit limit = speedLimit(predicted, error, gate);
-  decision.command = {limit.speed, heading};
+  decision.command = {limit.speed, curved ? holdOnCurve(predicted, heading) : heading};
   decision.phase = progress_ < approach_ ? Phase::Approaching : Phase::OnLeg;
   decision.speedReason = limit.reason;
   report(decision, state);

@@ -1,7 +1,9 @@
 // The default controller: aims at a point ahead on the line, as far away as speed and delay ask, slows down before
-// corners and turns there on the spot. It never drives backwards and never turns back for a point that it has passed.
+// corners and turns there on the spot. Chains of short legs, which stand for curves, it follows by their curvature. It
+// never drives backwards and never turns back for a point that it has passed.
 #pragma once
 
+#include "drive/bends.h"
 #include "drive/route_follower.h"
 #include "drive/stretch_limits.h"
 
@@ -23,6 +25,9 @@ private:
   void layPath(Point from);
   void findStop();
   [[nodiscard]] Point aim(Metres look) const;
+  /// What lies between the last stop and the next one, where it is a chain of legs.
+  [[nodiscard]] Bends curve() const;
+  [[nodiscard]] Radians holdOnCurve(const PredictedState& predicted, Radians course) const;
   [[nodiscard]] SpeedLimit speedLimit(const PredictedState& predicted, Radians error, Metres gate) const;
   [[nodiscard]] Decision stand(Phase phase, Radians heading, const VehicleState& state) const;
   /// On the route, of the progress on the path; negative while the route is still to be reached.
@@ -33,12 +38,14 @@ private:
   SpeedPlan plan_;
   StretchLimits legs_;
   std::shared_ptr<WayGuard> guard_;
+  StretchLimits bends_;  ///< of the path
   Polyline path_;
-  Metres approach_;       ///< length of the leg that leads up to the route
-  Metres skipped_;        ///< distance on the route at which the approach ends
-  Metres progress_;       ///< on the path
-  Metres across_;         ///< from the path
-  std::size_t stop_ = 0;  ///< vertex of the path at which it stops next
+  Metres approach_;        ///< length of the leg that leads up to the route
+  Metres skipped_;         ///< distance on the route at which the approach ends
+  Metres progress_;        ///< on the path
+  Metres across_;          ///< from the path
+  std::size_t begin_ = 0;  ///< vertex of the path at which it stood last
+  std::size_t stop_ = 0;   ///< vertex of the path at which it stops next
   bool laid_ = false;
   bool turning_ = true;
   bool waiting_ = false;

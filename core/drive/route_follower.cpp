@@ -6,11 +6,13 @@
 
 #include "drive/control_point_aimer.h"
 #include "drive/look_ahead_follower.h"
+#include "drive/regulated_pure_pursuit.h"
 
 namespace tessera::drive {
 namespace {
 
-constexpr std::array<std::string_view, 2> kNames{LookAheadFollower::kName, ControlPointAimer::kName};
+constexpr std::array<std::string_view, 3> kNames{LookAheadFollower::kName, ControlPointAimer::kName,
+                                                 RegulatedPurePursuit::kName};
 
 Pattern because(SpeedReason reason) {
   switch (reason) {
@@ -26,6 +28,8 @@ Pattern because(SpeedReason reason) {
       return phrase("Core", "slowing down before a slow zone");
     case SpeedReason::Gate:
       return phrase("Core", "slowing down, as the way ahead is not free");
+    case SpeedReason::Bend:
+      return phrase("Core", "no faster through this bend");
     case SpeedReason::Corner:
       return phrase("Core", "slowing down before the corner");
     case SpeedReason::End:
@@ -82,11 +86,17 @@ Sentence sentence(const Decision& d, const Polyline& route) {
   return {};
 }
 
+Radians headingToTurn(RadiansPerSecond rate, Radians heading, Seconds delay, const VehicleAbility& ability) {
+  const double late = std::isfinite(delay.value()) ? 0.5 * delay.value() : 0.0;
+  return wrapped(heading + rate * Seconds{1.0 / ability.headingGain + late});
+}
+
 std::span<const std::string_view> followerNames() { return kNames; }
 
 Result<std::unique_ptr<RouteFollower>> makeRouteFollower(std::string_view name, const FollowerSetup& setup) {
   if (std::string wrong = checked(setup); !wrong.empty()) return failure(std::move(wrong));
   if (name == LookAheadFollower::kName) return std::make_unique<LookAheadFollower>(setup);
+  if (name == RegulatedPurePursuit::kName) return std::make_unique<RegulatedPurePursuit>(setup);
   if (name == ControlPointAimer::kName) {
     auto points = controlPoints(Polyline{setup.route.vertices}, setup.route.controlSpacing);
     if (!points) return tl::unexpected{points.error()};

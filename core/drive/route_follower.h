@@ -44,6 +44,11 @@ struct Decision {
   Radians headingError;  ///< from the state's heading to the command's
 };
 
+/// The heading to be held with which the heading loop of a vehicle that faces along `heading` turns at this rate, on
+/// average until `delay` is over.
+[[nodiscard]] Radians headingToTurn(RadiansPerSecond rate, Radians heading, Seconds delay,
+                                    const VehicleAbility& ability);
+
 /// One English sentence for the operator, e.g. "On leg 2 of 5, 0.34 m to go: 0.06 m/s, slowing down before the corner."
 [[nodiscard]] Sentence sentence(const Decision& decision, const Polyline& route);
 

@@ -10,7 +10,20 @@
 namespace tessera::drive {
 
 /// Why the speed is what it is; the strictest reason.
-enum class SpeedReason { Requested, Leg, SlowerLeg, Zone, SlowZone, Gate, Corner, End, Delay, Uncertainty, Heading };
+enum class SpeedReason {
+  Requested,
+  Leg,
+  SlowerLeg,
+  Zone,
+  SlowZone,
+  Gate,
+  Bend,
+  Corner,
+  End,
+  Delay,
+  Uncertainty,
+  Heading
+};
 
 struct SpeedLimit {
   MetresPerSecond speed;

@@ -41,9 +41,12 @@ std::vector<SpeedStretch> parted(std::vector<SpeedStretch> all) {
 }  // namespace
 
 StretchLimits::StretchLimits(Of of, std::vector<SpeedStretch> stretches) : stretches_{parted(std::move(stretches))} {
-  if (of == Of::Legs) return;
-  here_ = SpeedReason::Zone;
-  before_ = SpeedReason::SlowZone;
+  if (of == Of::Zones) {
+    here_ = SpeedReason::Zone;
+    before_ = SpeedReason::SlowZone;
+  } else if (of == Of::Bends) {
+    here_ = before_ = SpeedReason::Bend;
+  }
 }
 
 StretchLimits StretchLimits::ofLegs(const floor::Route& route) {

@@ -1,4 +1,5 @@
-// The highest speeds that stretches of a way have of their own, its legs' or those of slow zones on it, by the distance
+// The highest speeds that stretches of a way have of their own, its legs', those of slow zones on it or of its
+// bends, by the distance
 // from the way's start.
 #pragma once
 
@@ -16,7 +17,7 @@ struct SpeedStretch {
 
 class StretchLimits {
 public:
-  enum class Of { Legs, Zones };
+  enum class Of { Legs, Zones, Bends };
 
   StretchLimits() = default;
   /// In any order; where several lie upon one another, the lowest speed holds.

@@ -1890,6 +1890,10 @@
         <source>%1 waits at the single-vehicle zone %2: it and %3 stand in each other&apos;s way. Drive one of them out by hand.</source>
         <translation>%1 在单车区域 %2 处等待：它与 %3 互相挡路。请手动将其中一辆驶出。</translation>
     </message>
+    <message>
+        <source>no faster through this bend</source>
+        <translation>此弯道内不能更快</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>
