@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "base/pose.h"
 #include "base/result.h"
@@ -63,6 +64,12 @@ public:
   /// Forgets everything but the counters. With a pose: the vehicle was placed there (to about 5 cm); without: nobody
   /// knows.
   virtual void reset(std::optional<Pose> pose) = 0;
+  /// Places that are thought possible, `most` of them at most, as often as they are likely: for a picture, at the
+  /// instant lastMotion(). Empty: this locator holds no such guesses.
+  [[nodiscard]] virtual std::vector<Point> guesses(std::size_t most) const {
+    static_cast<void>(most);
+    return {};
+  }
   [[nodiscard]] virtual const LocatorCounters& counters() const = 0;
   [[nodiscard]] virtual std::string_view name() const = 0;
 

@@ -201,6 +201,20 @@ void ParticleCloud::resampleIfNeeded() {
   }
 }
 
+std::vector<Point> ParticleCloud::sample(std::size_t most) const {
+  std::vector<Point> places;
+  const std::size_t count = std::min(most, size());
+  places.reserve(count);
+  double below = weight_[0];
+  std::size_t from = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double pick = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+    while (pick > below && from + 1 < size()) below += weight_[++from];
+    places.push_back({Metres{x_[from]}, Metres{y_[from]}});
+  }
+  return places;
+}
+
 ParticleCloud::Moments ParticleCloud::moments() const {
   Moments m;
   for (std::size_t i = 0; i < size(); ++i) m.mean += weight_[i] * Eigen::Vector4d{x_[i], y_[i], bias_[i], scale_[i]};

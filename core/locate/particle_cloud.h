@@ -86,6 +86,8 @@ public:
   [[nodiscard]] std::size_t size() const { return x_.size(); }
   [[nodiscard]] std::span<const double> x() const { return x_; }
   [[nodiscard]] std::span<const double> y() const { return y_; }
+  /// `most` places at most, each as often as it is likely; draws no random number.
+  [[nodiscard]] std::vector<Point> sample(std::size_t most) const;
 
 private:
   void inDisc(const ReaderThen& reader, const Eigen::Vector2d& tag, double radius);

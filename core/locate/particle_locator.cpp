@@ -241,6 +241,10 @@ void ParticleLocator::silence(int reader, double attempt) {
   lead_ += std::log(std::max(chance, 0.1)) - std::log(std::max(weigh(rival_, rival_.moments()), 0.1));
 }
 
+std::vector<Point> ParticleLocator::guesses(std::size_t most) const {
+  return placed_ ? cloud_.sample(most) : std::vector<Point>{};
+}
+
 Estimate ParticleLocator::at(Seconds now) const {
   Estimate estimate;
   estimate.at = now;

@@ -34,8 +34,7 @@ public:
   void reset(std::optional<Pose> pose) override;
   [[nodiscard]] const LocatorCounters& counters() const override { return intake_.counters; }
   [[nodiscard]] std::string_view name() const override { return kName; }
-  /// Places that are thought possible, for a picture.
-  [[nodiscard]] const ParticleCloud& cloud() const { return cloud_; }
+  [[nodiscard]] std::vector<Point> guesses(std::size_t most) const override;
 
 private:
   /// What is known of one reader's doings, by its own attempts.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -76,6 +77,13 @@ struct Jog {
   bool operator==(const Jog&) const = default;
 };
 
+/// Tell of this vehicle how it is located, in each snapshot from now on (Snapshot::watched); nullopt: of none. There is
+/// one at a time.
+struct Watch {
+  std::optional<VehicleId> who;
+  bool operator==(const Watch&) const = default;
+};
+
 /// Go on with an edited site: its routes can be run at once, a running one goes on as it was given. Refused when its
 /// vehicles (but for their names and start places) or its radio are others.
 struct UseSite {
@@ -83,6 +91,6 @@ struct UseSite {
   bool operator==(const UseSite&) const = default;  ///< the same map, not an equal one
 };
 
-using Order = std::variant<RunRoute, Pause, Resume, Stop, StopAll, Clear, Ask, Pair, Jog, UseSite>;
+using Order = std::variant<RunRoute, Pause, Resume, Stop, StopAll, Clear, Ask, Pair, Jog, Watch, UseSite>;
 
 }  // namespace tessera::supervisor

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +16,8 @@
 #include "wire/messages.h"
 
 namespace tessera::supervisor {
+
+struct LocatingView;
 
 enum class PortState { Closed, Open, Lost };
 
@@ -128,7 +131,8 @@ struct Snapshot {
   Seconds time;
   PortView port;
   ChannelView channel;
-  std::vector<VehicleView> vehicles;  ///< in the order of the site
+  std::vector<VehicleView> vehicles;            ///< in the order of the site
+  std::shared_ptr<const LocatingView> watched;  ///< of the vehicle that Watch names; null: none, or nothing heard of it
 
   /// Nullptr: no such vehicle.
   [[nodiscard]] const VehicleView* find(VehicleId id) const {

@@ -146,6 +146,10 @@ void Supervisor::Impl::carryOut(const Order& order) {
     return;
   }
   if (const auto* use = std::get_if<UseSite>(&order)) return useSite(*use);
+  if (const auto* watch = std::get_if<Watch>(&order)) {
+    for (VehicleAgent& a : agents) a.watch(a.id() == watch->who);
+    return;
+  }
   const VehicleId id = std::visit(
       [](const auto& o) {
         if constexpr (requires { o.vehicle; })
@@ -267,6 +271,8 @@ std::shared_ptr<const Snapshot> Supervisor::Impl::picture(Seconds now) const {
                        noiseSinceHeard,           foreignSinceHeard};
   for (const VehicleAgent& agent : agents)
     snapshot->vehicles.push_back(agent.view(now, port, channel.peer(agent.id())->quality));
+  for (const VehicleAgent& agent : agents)
+    if (auto watched = agent.locatingView()) snapshot->watched = std::move(watched);
   return snapshot;
 }
 

@@ -13,7 +13,6 @@ namespace {
 constexpr Seconds kShortestExpiry{0.4};
 constexpr Seconds kLongestExpiry{5.1};
 constexpr double kExpiryCycles = 3.0;
-constexpr Seconds kUnpredictedDelay{0.01};  // of the radio's delay, what the measured mean does not tell
 constexpr MetresPerSecond kStanding{0.005};
 constexpr RadiansPerSecond kStandingTurn{0.1};  // the compass is noisy
 
@@ -102,6 +101,7 @@ link::Wish VehicleAgent::decide(Seconds now, const ChannelTiming& timing, EventL
 }
 
 void VehicleAgent::follow(Seconds now, const ChannelTiming& timing, EventLog& log) {
+  timing_ = timing;
   const drive::VehicleState expected = stateAt(timing.effectiveAt);
   predicted_ = expected.pose;
   if (contact_ != Contact::Connected || !last_) return;

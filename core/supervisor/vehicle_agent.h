@@ -17,6 +17,7 @@
 #include "supervisor/episode.h"
 #include "supervisor/event_log.h"
 #include "supervisor/hand_drive.h"
+#include "supervisor/locating_view.h"
 #include "supervisor/odometer.h"
 #include "supervisor/order.h"
 #include "supervisor/sentences.h"
@@ -27,9 +28,12 @@ namespace tessera::supervisor {
 
 /// What the agent needs to know of the channel when it decides.
 struct ChannelTiming {
-  Seconds effectiveAt;  ///< when a command that is sent now takes effect
-  Seconds cycle;        ///< time between two commands
+  Seconds effectiveAt{};  ///< when a command that is sent now takes effect
+  Seconds cycle;          ///< time between two commands
 };
+
+/// Of the radio's delay, what the measured mean does not tell.
+inline constexpr Seconds kUnpredictedDelay{0.01};
 
 class VehicleAgent {
 public:
@@ -53,6 +57,8 @@ public:
   [[nodiscard]] bool letGo(EventLog& log);
   /// True: it may be given another key now.
   [[nodiscard]] bool mayBePaired(EventLog& log) const;
+  /// Somebody looks at how it is located, or no longer does.
+  void watch(bool watched);
   /// The site was edited; the vehicle itself is what it was.
   void use(std::shared_ptr<const floor::SiteMap> map);
   /// The zones of the traffic that it shares are others now.
@@ -75,6 +81,8 @@ public:
   /// Decides what the vehicle shall do, as of `now`, and ends episodes that are over.
   [[nodiscard]] link::Wish decide(Seconds now, const ChannelTiming& timing, EventLog& log);
   [[nodiscard]] VehicleView view(Seconds now, const PortView& port, const link::LinkQuality& quality) const;
+  /// Null: nobody watches it, or it has not reported yet.
+  [[nodiscard]] std::shared_ptr<const LocatingView> locatingView() const;
   /// It stands by an acknowledged Stop, or is not in touch, in which case it stops by itself.
   [[nodiscard]] bool stopped() const;
 
@@ -86,6 +94,7 @@ private:
   void inTouch(EventLog& log);
   void takeTags(const link::Reported& e, EventLog& log);
   void tellSilence(const link::Reported& e);
+  void noteInnovation(const ReadView& read);
   void watchState(Seconds now, EventLog& log);
   void watchPlace(EventLog& log);
   [[nodiscard]] Radians reportedHeading() const;
@@ -128,6 +137,9 @@ private:
   Seconds toldUntil_;  ///< every tag event before has been passed to the locator
   std::uint32_t reads_ = 0;
   std::vector<ReadView> recentReads_;
+  bool watched_ = false;
+  ChannelTiming timing_;  ///< of the last decision
+  std::vector<locate::Innovation> innovations_;
 
   struct Sent {
     CommandView view;

@@ -206,6 +206,7 @@ void VehicleAgent::takeTags(const link::Reported& e, EventLog& log) {
     ++reads_;
     if (recentReads_.size() == kRecentReads) recentReads_.erase(recentReads_.begin());
     recentReads_.push_back({*uid, tag.event.reader, tag.at, map_->find(*uid)});
+    if (watched_) noteInnovation(recentReads_.back());
     locator_->add(locate::TagRead{tag.event.reader, *uid, tag.at});
     const bool news = !map_->find(*uid) && unknownTags_.size() < kMaxUnknownTags && unknownTags_.insert(*uid).second;
     if (news)
