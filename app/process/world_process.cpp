@@ -69,7 +69,10 @@ void WorldProcess::stop() {
 void WorldProcess::takeOutput() {
   while (process_.canReadLine()) {
     const std::string line = process_.readLine().toStdString();
-    if (!port_.empty()) continue;
+    if (!port_.empty()) {
+      Q_EMIT answered(QString::fromStdString(line).trimmed());
+      continue;
+    }
     const auto answer = nlohmann::json::parse(line, nullptr, false);
     if (!answer.is_object() || !answer.contains("port") || !answer["port"].is_string()) {
       fail(QStringLiteral("The simulated world answered with something else than its port."));

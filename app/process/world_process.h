@@ -35,6 +35,8 @@ Q_SIGNALS:
   void ready(const QString& port);
   /// It could not be started, or ended although nobody asked it to; once.
   void died(const QString& sentence);
+  /// Its answer to a command.
+  void answered(const QString& line);
   /// A line of complaint while it runs: that the machine does not keep up, that a vehicle has ended.
   void complained(const QString& line);
 

@@ -198,6 +198,7 @@ void FleetSession::startWorld() {
   world_ = std::make_unique<process::WorldProcess>();
   connect(world_.get(), &process::WorldProcess::ready, this,
           [this, port] { supervise(portChoiceOf(*choice_, port, map_->site().radio.baud)); });
+  connect(world_.get(), &process::WorldProcess::answered, this, &FleetSession::worldAnswered);
   connect(world_.get(), &process::WorldProcess::complained, this, &FleetSession::worldComplained);
   // Not from within the process' own signal: it ends there.
   connect(world_.get(), &process::WorldProcess::died, this, &FleetSession::onWorldDied, Qt::QueuedConnection);

@@ -65,11 +65,14 @@ public:
 
   /// Vehicles in an emulated microcontroller instead of compiled for this machine; for the next demo.
   void setEmulated(bool emulated) { emulated_ = emulated; }
+  [[nodiscard]] bool hasWorld() const { return world_ != nullptr && state_ == State::Live; }
   /// A line for the simulated world; nothing without one.
   void tellWorld(const std::string& line);
 
 Q_SIGNALS:
   void stateChanged();
+  /// Its answer to what tellWorld() said.
+  void worldAnswered(const QString& line);
   /// The simulated world's own line, in English: that the machine does not keep up, that a vehicle has ended.
   void worldComplained(const QString& line);
   /// A complete sentence.

@@ -22,6 +22,7 @@
 #include "app/tessera/register_desk.h"
 #include "app/tessera/revision_desk.h"
 #include "app/tessera/site_files.h"
+#include "app/tessera/truth_probe.h"
 #include "app/tessera/window_actions.h"
 #include "app/tessera/window_panels.h"
 #include "ui/canvas/floor_canvas.h"
@@ -65,6 +66,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow{parent} {
   joinRevisions();
   joinBackdrop();
   joinTileCheck();
+  joinLocating();
   joinPanels();
   joinLooking();
   joinTiles();
@@ -89,6 +91,7 @@ MainWindow::~MainWindow() {
   routeTool_.reset();
   measureTool_.reset();
   zoneTool_.reset();
+  canvas_->setOverlay(nullptr);
   for (QDockWidget* dock : panels_->docks()) {
     dock->disconnect(this);
     delete dock;

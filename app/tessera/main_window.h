@@ -43,6 +43,7 @@ class Keeper;
 class RegisterDesk;
 class RevisionDesk;
 class SiteFiles;
+class TruthProbe;
 class WindowActions;
 class WindowPanels;
 
@@ -102,6 +103,7 @@ private:
   void joinRevisions();
   void joinBackdrop();
   void joinTileCheck();
+  void joinLocating();
   void layTiles();
   void editTileTypes();
   void joinTiles();
@@ -129,6 +131,7 @@ private:
   ui::FloorCanvas* canvas_;
   std::unique_ptr<ui::FaultWatch> watch_;
   std::unique_ptr<ui::TileWatch> tileWatch_;
+  std::unique_ptr<TruthProbe> truth_;
   std::unique_ptr<ui::RouteTool> routeTool_;
   std::unique_ptr<ui::MeasureTool> measureTool_;
   ui::FindBox* find_ = nullptr;

@@ -64,6 +64,7 @@ void WindowActions::makeAll() {
   showFaults = make("showFaults", "check", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_F});
   showRevisions = make("showRevisions", "revisions", QKeySequence{Qt::CTRL | Qt::Key_H});
   tileCheck = make("tileCheck", "drive-check", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_D});
+  locating = make("locating", "locating", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_L});
   registerTags = make("registerTags", "tag", QKeySequence{Qt::CTRL | Qt::Key_T}, true);
   floorPlan = make("floorPlan", "plan", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_P}, true);
   layTiles = make("layTiles", "tile", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_T}, true);
@@ -104,7 +105,7 @@ void WindowActions::fillMenus(QMainWindow& window) {
   view_ = bar->addMenu(QString{});
   view_->addActions({zoomIn, zoomOut, fit, follow});
   view_->addSeparator();
-  view_->addActions({find, measure});
+  view_->addActions({find, measure, locating});
   view_->addSeparator();
   layers_ = view_->addMenu(QString{});
   layers_->addActions({backdrop, tags, zones, trails, uncertainty, grid, faults});

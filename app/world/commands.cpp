@@ -176,6 +176,16 @@ Answer where(const Words& w, sim::World& world) {
   return std::string{text.data()};
 }
 
+Answer truth(const Words& w, sim::World& world) {
+  const auto id = vehicle(w, world);
+  if (!id || w.size() != 2) return misused("truth ID, with the address of a vehicle that is there");
+  const auto state = *world.truth(*id);
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(), "truth %u %.4f %.6f %.6f %.6f", unsigned{id->value}, state.time.value(),
+                state.pose.position.x.value(), state.pose.position.y.value(), wrapped(state.pose.heading).value());
+  return std::string{text.data()};
+}
+
 Answer jumpers(const Words& w, sim::World& world) {
   const auto bit = [&](std::size_t place) { return w[place] == "0" || w[place] == "1"; };
   if (w.size() != 3 || !bit(1) || !bit(2))
@@ -187,9 +197,9 @@ Answer jumpers(const Words& w, sim::World& world) {
 
 using Command = Answer (*)(const Words&, sim::World&);
 const std::map<std::string, Command, std::less<>> kCommands{
-    {"kill", kill},         {"jumpers", jumpers}, {"start", start},   {"push", push},
-    {"obstacle", obstacle}, {"ranger", ranger},   {"noise", noise},   {"inject", inject},
-    {"corrupt", corrupt},   {"drop", drop},       {"replay", replay}, {"where", where}};
+    {"kill", kill},     {"jumpers", jumpers}, {"start", start},   {"push", push},       {"obstacle", obstacle},
+    {"ranger", ranger}, {"noise", noise},     {"inject", inject}, {"corrupt", corrupt}, {"drop", drop},
+    {"replay", replay}, {"where", where},     {"truth", truth}};
 
 }  // namespace
 

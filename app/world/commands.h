@@ -29,6 +29,9 @@ inline constexpr const char* kCommandHelp =
     "                           channel the first meets another packet, and silences both sides for the next\n"
     "  pull / plug              close the serial port / open it again\n"
     "  where ID                 tell the vehicle's true pose\n"
+    "  truth ID                 the same for programs: truth ID T X Y HEADING, the world's clock (CLOCK_MONOTONIC) in "
+    "s,\n"
+    "                           metres, radians counter-clockwise from x\n"
     "  quit                     end";
 
 /// The serial port and the run, as far as commands reach them.

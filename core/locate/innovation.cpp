@@ -13,26 +13,6 @@ constexpr double kInnovationStraight = 0.5;    // of the speed: a reader that sw
 constexpr double kInnovationPollPeriod = 0.1;  // s between a reader's attempts, as they usually are
 constexpr double kInnovationNormal975 = 1.959964;
 
-/// Where in the disc a tag is when it is first read, seen from the reader and along the vehicle.
-struct InDisc {
-  double ahead = 0.0;  // m, on average
-  double varianceAlong = 0.0;
-  double varianceAcross = 0.0;
-};
-
-InDisc inDisc(double radius, double speed, double swing) {
-  const double square = radius * radius;
-  if (std::abs(speed) < kInnovationStanding && swing < kInnovationSwing) return {0.0, 0.25 * square, 0.25 * square};
-  // Turning: on the rim, from wherever the tag came.
-  if (swing > std::max(kInnovationSwing, kInnovationStraight * std::abs(speed)))
-    return {0.0, 0.5 * square, 0.5 * square};
-  // The front rim passes over tags that lie evenly across the way: sqrt(R² - y²) with y even in ±R. By the next attempt
-  // the reader has gone on by up to one step.
-  const double step = std::min(std::abs(speed) * kInnovationPollPeriod, 2.0 * radius);
-  return {std::copysign(0.25 * kPi * radius - 0.5 * step, speed),
-          square * (2.0 / 3.0 - kPi * kPi / 16.0) + step * step / 12.0, square / 3.0};
-}
-
 /// Wilson and Hilferty's approximation of a chi-squared quantile.
 double chiSquaredQuantile(double degrees, double normal) {
   const double part = 2.0 / (9.0 * degrees);
@@ -42,10 +22,25 @@ double chiSquaredQuantile(double degrees, double normal) {
 
 }  // namespace
 
+InDisc inDisc(Metres radius, MetresPerSecond speed, MetresPerSecond swing) {
+  const double square = radius.value() * radius.value();
+  const double v = speed.value();
+  if (std::abs(v) < kInnovationStanding && swing.value() < kInnovationSwing)
+    return {Metres{}, 0.25 * square, 0.25 * square};
+  // Turning: on the rim, from wherever the tag came.
+  if (swing.value() > std::max(kInnovationSwing, kInnovationStraight * std::abs(v)))
+    return {Metres{}, 0.5 * square, 0.5 * square};
+  // The front rim passes over tags that lie evenly across the way: sqrt(R² - y²) with y even in ±R. By the next attempt
+  // the reader has gone on by up to one step.
+  const double step = std::min(std::abs(v) * kInnovationPollPeriod, 2.0 * radius.value());
+  return {Metres{std::copysign(0.25 * kPi * radius.value() - 0.5 * step, v)},
+          square * (2.0 / 3.0 - kPi * kPi / 16.0) + step * step / 12.0, square / 3.0};
+}
+
 Innovation innovationOf(const Estimate& before, Offset mount, Metres radius, Point tag) {
   const double theta = before.pose.heading.value();
-  const double swing = std::abs(before.turnRate.value()) * length(mount).value();
-  const InDisc disc = inDisc(radius.value(), before.speed.value(), swing);
+  const MetresPerSecond swing{std::abs(before.turnRate.value()) * length(mount).value()};
+  const InDisc disc = inDisc(radius, before.speed, swing);
   // The reader's place is p + R(heading)·mount.
   const Offset lever = turned(mount, before.pose.heading);
   Eigen::Matrix<double, 2, 3> slope;
@@ -54,10 +49,10 @@ Innovation innovationOf(const Estimate& before, Offset mount, Metres radius, Poi
   turn << std::cos(theta), -std::sin(theta), std::sin(theta), std::cos(theta);
   const Offset off = tag - (before.pose.position + lever);
   Eigen::Vector2d innovation = turn.transpose() * Eigen::Vector2d{off.x.value(), off.y.value()};
-  innovation.x() -= disc.ahead;
+  innovation.x() -= disc.ahead.value();
   Eigen::Matrix2d doubt = turn.transpose() * (slope * before.covariance * slope.transpose()) * turn;
-  doubt(0, 0) += disc.varianceAlong;
-  doubt(1, 1) += disc.varianceAcross;
+  doubt(0, 0) += disc.along;
+  doubt(1, 1) += disc.across;
   Innovation result;
   result.at = before.at;
   result.ahead = Metres{innovation.x()};

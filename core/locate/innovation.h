@@ -21,9 +21,17 @@ struct Innovation {
 /// A read's result waits for the bus before it is told with an instant: so much older is what it tells of.
 inline constexpr Seconds kReadLag{0.020};
 
-/// before: the belief at kReadLag before the read, to which the read is unknown. mount: of the reader, in vehicle axes.
+/// Where in its disc a reader first reads a tag, seen from the reader and along the vehicle.
+struct InDisc {
+  Metres ahead;        ///< on average
+  double along = 0.0;  ///< variances, m²
+  double across = 0.0;
+};
 /// A reader that drives on meets its tag at the front rim of its disc, one that turns on any side of the rim; one that
-/// stands has it anywhere in the disc.
+/// stands has it anywhere in the disc. swing: of the reader, by the vehicle's turning.
+[[nodiscard]] InDisc inDisc(Metres radius, MetresPerSecond speed, MetresPerSecond swing);
+
+/// before: the belief at kReadLag before the read, to which the read is unknown. mount: of the reader, in vehicle axes.
 [[nodiscard]] Innovation innovationOf(const Estimate& before, Offset mount, Metres radius, Point tag);
 
 /// Bounds within which the mean of `count` independent values of NIS (or of a place's NEES) lies in 95 of 100 cases

@@ -11,6 +11,7 @@
 #include "base/ids.h"
 #include "base/pose.h"
 #include "locate/innovation.h"
+#include "locate/observation.h"
 
 namespace tessera::supervisor {
 
@@ -21,7 +22,8 @@ struct LocatingView {
 
   VehicleId vehicle;
   std::string locator;  ///< its name
-  // As of the last report.
+  locate::Motion motion;  ///< the last report's
+  // As of that report.
   Seconds at;
   Pose estimate;
   std::array<double, 9> covariance{};  ///< of x, y (m) and heading (rad), row by row

@@ -23,10 +23,11 @@ void VehicleAgent::noteInnovation(const ReadView& read) {
 }
 
 std::shared_ptr<const LocatingView> VehicleAgent::locatingView() const {
-  if (!watched_ || !last_) return nullptr;
+  if (!watched_ || !last_ || !motion_) return nullptr;
   auto v = std::make_shared<LocatingView>();
   v->vehicle = id();
   v->locator = locator_->name();
+  v->motion = *motion_;
   v->at = estimate_.at;
   v->estimate = estimate_.pose;
   for (int row = 0; row < 3; ++row)

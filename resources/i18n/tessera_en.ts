@@ -128,6 +128,23 @@
     </message>
 </context>
 <context>
+    <name>tessera::ui::LocatingPanel</name>
+    <message numerus="yes">
+        <source>%1, %n guess(es) shown</source>
+        <translation>
+            <numerusform>%1, %n guess shown</numerusform>
+            <numerusform>%1, %n guesses shown</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>now %1 cm, mean %2 cm, 95 % below %3 cm; NEES %4 (2 is honest), %n sample(s)</source>
+        <translation>
+            <numerusform>now %1 cm, mean %2 cm, 95 % below %3 cm; NEES %4 (2 is honest), %n sample</numerusform>
+            <numerusform>now %1 cm, mean %2 cm, 95 % below %3 cm; NEES %4 (2 is honest), %n samples</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>tessera::ui::NewSiteDialog</name>
     <message numerus="yes">
         <source>%1 × %2 m, %n tag(s)</source>

@@ -3163,6 +3163,10 @@
         <source>Dri&amp;ve-over check…</source>
         <translation>行驶检查(&amp;V)…</translation>
     </message>
+    <message>
+        <source>Loc&amp;ating of the vehicle…</source>
+        <translation>车辆定位(&amp;A)…</translation>
+    </message>
 </context>
 <context>
     <name>tessera::desktop::WindowPanels</name>
@@ -4425,6 +4429,34 @@ x %2 m，y %3 m</translation>
     </message>
 </context>
 <context>
+    <name>tessera::ui::InnovationChart</name>
+    <message>
+        <source>Innovations of the reads</source>
+        <translation>读数的新息</translation>
+    </message>
+    <message>
+        <source>Each point is a read: how far its tag lay from where it was expected, measured by what was doubted (NIS). The line is the mean of the last %1; it lies in the green band when the doubt is honest.</source>
+        <translation>每个点是一次读数：标签与预期位置的差别，以不确定度衡量（NIS）。线是最近 %1 次的平均；不确定度如实时落在绿色带内。</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>读数</translation>
+    </message>
+    <message>
+        <source>Mean of %1</source>
+        <translation>%1 次平均</translation>
+    </message>
+    <message>
+        <source>Time (s), 0 is the newest</source>
+        <translation>时间（秒），0 为最新</translation>
+    </message>
+    <message>
+        <source>NIS</source>
+        <comment>normalised innovation squared</comment>
+        <translation>NIS</translation>
+    </message>
+</context>
+<context>
     <name>tessera::ui::JogDialog</name>
     <message>
         <source>No vehicle</source>
@@ -4845,6 +4877,188 @@ x %2 m，y %3 m</translation>
     <message>
         <source>%1 min</source>
         <translation>%1 分钟</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::LocatingOverlay</name>
+    <message>
+        <source>reader %1, %2 s ago</source>
+        <translation>读卡器 %1，%2 秒前</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::LocatingPanel</name>
+    <message>
+        <source>The site has no vehicle yet. Set one up: Vehicle › Set up a new vehicle.</source>
+        <translation>场地还没有车辆。请设置一台：车辆 › 设置新车辆。</translation>
+    </message>
+    <message>
+        <source>Connect to the vehicles to see how they are located.</source>
+        <translation>连接车辆后可查看其定位情况。</translation>
+    </message>
+    <message>
+        <source>Choose a vehicle in the list or on the floor to see how it is located.</source>
+        <translation>在列表中或地面上选择一台车辆，查看其定位情况。</translation>
+    </message>
+    <message>
+        <source>Nothing is heard of %1 yet. Its locating shows with its first report.</source>
+        <translation>尚未收到 %1 的消息。收到第一次报告后显示其定位情况。</translation>
+    </message>
+    <message>
+        <source>x %1 m, y %2 m, %3°</source>
+        <translation>x %1 m，y %2 m，%3°</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n guess(es) shown</source>
+        <translation>
+            <numerusform>%1，显示 %n 个猜测</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 cm × %2 cm, %3°</source>
+        <translation>%1 cm × %2 cm，%3°</translation>
+    </message>
+    <message>
+        <source>%1 s ago</source>
+        <translation>%1 秒前</translation>
+    </message>
+    <message>
+        <source>x %1 m, y %2 m: %3 cm ahead</source>
+        <translation>x %1 m，y %2 m：前方 %3 cm</translation>
+    </message>
+    <message>
+        <source>nothing: it follows no route</source>
+        <translation>无：未沿路径行驶</translation>
+    </message>
+    <message>
+        <source>reader %1: %2, %3 s ago</source>
+        <translation>读卡器 %1：%2，%3 秒前</translation>
+    </message>
+    <message>
+        <source>none in the last %1 s</source>
+        <translation>最近 %1 秒内没有</translation>
+    </message>
+    <message>
+        <source>%1 of %2 reads; found anew: %3</source>
+        <translation>%2 次读数中 %1 次；重新找到：%3 次</translation>
+    </message>
+    <message>
+        <source>NIS %1 on average of %2 reads, honest from %3 to %4</source>
+        <translation>%2 次读数的平均 NIS 为 %1，如实范围 %3 至 %4</translation>
+    </message>
+    <message>
+        <source>no reads yet</source>
+        <translation>尚无读数</translation>
+    </message>
+    <message>
+        <source>too few reads yet: %1</source>
+        <translation>读数太少：%1 次</translation>
+    </message>
+    <message>
+        <source>as expected. %1</source>
+        <translation>符合预期。%1</translation>
+    </message>
+    <message>
+        <source>worse than expected: it is too sure of its place. %1</source>
+        <translation>比预期差：定位过于自信。%1</translation>
+    </message>
+    <message>
+        <source>better than expected: it is too cautious. %1</source>
+        <translation>比预期好：定位过于谨慎。%1</translation>
+    </message>
+    <message>
+        <source>not told yet</source>
+        <translation>尚未得知</translation>
+    </message>
+    <message numerus="yes">
+        <source>now %1 cm, mean %2 cm, 95 % below %3 cm; NEES %4 (2 is honest), %n sample(s)</source>
+        <translation>
+            <numerusform>当前 %1 cm，平均 %2 cm，95 % 低于 %3 cm；NEES %4（2 为如实），%n 个样本</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Locating</source>
+        <translation>定位</translation>
+    </message>
+    <message>
+        <source>Guesses</source>
+        <translation>猜测</translation>
+    </message>
+    <message>
+        <source>Ellipse (95 %)</source>
+        <translation>椭圆（95 %）</translation>
+    </message>
+    <message>
+        <source>Guesses and ellipse</source>
+        <translation>猜测和椭圆</translation>
+    </message>
+    <message>
+        <source>What is drawn of the doubt</source>
+        <translation>不确定度的画法</translation>
+    </message>
+    <message>
+        <source>What is drawn of the doubt upon the floor: places thought possible, or the ellipse that holds the vehicle in 95 of 100 cases.</source>
+        <translation>在地面上如何画出不确定度：认为可能的位置，或 100 次中有 95 次包含车辆的椭圆。</translation>
+    </message>
+    <message>
+        <source>Forget the reads and errors so far and count anew</source>
+        <translation>清除至今的读数和误差，重新统计</translation>
+    </message>
+    <message>
+        <source>Count anew</source>
+        <translation>重新统计</translation>
+    </message>
+    <message>
+        <source>Locator</source>
+        <translation>定位器</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Doubt (1 σ)</source>
+        <translation>不确定度（1 σ）</translation>
+    </message>
+    <message>
+        <source>Last report</source>
+        <translation>最近报告</translation>
+    </message>
+    <message>
+        <source>Predicted</source>
+        <translation>预测位置</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>延迟</translation>
+    </message>
+    <message>
+        <source>Looks ahead to</source>
+        <translation>前视点</translation>
+    </message>
+    <message>
+        <source>Last reads</source>
+        <translation>最近读数</translation>
+    </message>
+    <message>
+        <source>Contradictions</source>
+        <translation>矛盾</translation>
+    </message>
+    <message>
+        <source>Fit of the reads</source>
+        <translation>读数吻合度</translation>
+    </message>
+    <message>
+        <source>Error (simulation)</source>
+        <translation>误差（仿真）</translation>
+    </message>
+    <message>
+        <source>%1 s to the next command, which holds %2 s</source>
+        <translation>距下一指令 %1 秒，保持 %2 秒</translation>
     </message>
 </context>
 <context>

@@ -247,6 +247,10 @@ TEST_F(CommandsTest, doWhatTheySay) {
   world().advance(world().time() + Seconds{1});
   EXPECT_EQ(world().hostRadio().mode(), firmware::RadioMode::Normal);
   EXPECT_TRUE(done("where 1"));
+  double x = 0.0;
+  const std::string truth = obey("truth 1", world(), *this).value();
+  ASSERT_EQ(std::sscanf(truth.c_str(), "truth 1 %*f %lf %*f %*f", &x), 1) << truth;
+  EXPECT_NEAR(x, world().truth(VehicleId{1})->pose.position.x.value(), 1e-6);
   EXPECT_TRUE(done(""));
   EXPECT_FALSE(ended_);
   EXPECT_TRUE(done("quit"));
@@ -258,7 +262,8 @@ TEST_F(CommandsTest, refuseWhatMakesNoSenseWithASentence) {
       "kill\nkill 2\nkill 1 1\nkill -1\nkill 1e9\nstart x\npush 1 2 3\npush 1 nan 0 0\npush 1 0 0 inf\n"
       "obstacle 1 2\nobstacle 1 2 -1\nnoise\nnoise 0\nnoise 1.5\nnoise 1e12\ninject\ninject a\ninject zz\n"
       "replay 1\ndrop\ncorrupt x\nranger 1 2 off\nranger 1 0\nranger 2 0 off\nranger 1 0 away\nreplay 1 0\n"
-      "corrupt 1 from 2\ncorrupt 1 from\ncorrupt 1 1\njumpers\njumpers 1\njumpers 2 0\njumpers 1 1 1\nwhere\npull "
+      "corrupt 1 from 2\ncorrupt 1 from\ncorrupt 1 1\njumpers\njumpers 1\njumpers 2 0\njumpers 1 1 "
+      "1\nwhere\ntruth\ntruth 2\npull "
       "now\ndance\nquit quit\n"};
   for (std::string line; std::getline(lines, line);) {
     const auto answer = obey(line, world(), *this);

@@ -32,6 +32,8 @@ TEST(Watching, tellsHowTheVehicleIsLocatedAndLed) {
   }
   EXPECT_NEAR(x, v.estimate.position.x.value(), 0.003);
   EXPECT_NEAR(std::sqrt(xx), std::sqrt(v.covariance[0]), 0.3 * std::sqrt(v.covariance[0]));
+  EXPECT_EQ(v.motion.at, v.at);
+  EXPECT_NEAR(v.motion.speed.value(), 0.12, 0.03);
   // Where it goes meanwhile.
   EXPECT_LE(v.at, rig.last->time);
   EXPECT_GT(v.effectiveAt, rig.last->time);

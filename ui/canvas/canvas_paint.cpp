@@ -115,6 +115,11 @@ void FloorCanvas::paintLive(QPainter& painter, const QRegion& region) {
     if (layers_.uncertainty) sprites_.paintDoubt(painter, view_, theme_, mark);
     paintObstacle(painter, view_, theme_, mark);
   }
+  if (overlay_ != nullptr) {
+    painter.save();
+    overlay_->paint(painter, view_, theme_);
+    painter.restore();
+  }
   for (const VehicleMark& mark : seen) sprites_.paintLabel(painter, view_, theme_, mark);
   if (sprites_.isPending()) drawing_.start();
   if (!changes().empty()) changes_.paint(painter, view_, theme_);

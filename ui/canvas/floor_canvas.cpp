@@ -177,6 +177,18 @@ void FloorCanvas::setTool(CanvasTool* tool) {
   Q_EMIT hintChanged(tool_ ? tool_->hint() : QString{});
 }
 
+void FloorCanvas::setOverlay(CanvasOverlay* overlay) {
+  if (overlay == overlay_) return;
+  overlay_ = overlay;
+  overlayChanged();
+}
+
+void FloorCanvas::overlayChanged() {
+  const QRegion now = overlay_ != nullptr ? overlay_->extent(view_, font()) & rect() : QRegion{};
+  update(overlaid_ + now);
+  overlaid_ = now;
+}
+
 bool FloorCanvas::undoInTool() { return tool_ && tool_->undo(); }
 bool FloorCanvas::redoInTool() { return tool_ && tool_->redo(); }
 

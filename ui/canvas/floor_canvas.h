@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "ui/canvas/canvas_overlay.h"
 #include "ui/canvas/canvas_tool.h"
 #include "ui/canvas/change_marks.h"
 #include "ui/canvas/fleet_layer.h"
@@ -43,6 +44,11 @@ public:
   /// Which tiles were driven over, and what became of them; under the vehicles.
   void setTileMarks(std::vector<TileMark> marks);
   [[nodiscard]] const std::vector<TileMark>& tileMarks() const { return tileMarks_; }
+  /// Nullptr: none. The canvas does not own it; it must be taken off before it dies.
+  void setOverlay(CanvasOverlay* overlay);
+  [[nodiscard]] const CanvasOverlay* overlay() const { return overlay_; }
+  /// It shows something else than before.
+  void overlayChanged();
   /// Nullptr: none. The canvas does not own it.
   void setTool(CanvasTool* tool);
   [[nodiscard]] CanvasTool* tool() const { return tool_; }
@@ -147,6 +153,7 @@ private:
   std::optional<std::size_t> chosenMark_;
   ChangeLayer changes_;
   QPointer<CanvasTool> tool_;
+  CanvasOverlay* overlay_ = nullptr;
   std::optional<VehicleId> vehicle_;
   QString route_;
   std::optional<VehicleId> followed_;
@@ -162,6 +169,7 @@ private:
   QElapsedTimer snapshotAge_;
   QElapsedTimer trailsAge_;  ///< since they were last faded
   QRegion live_;             ///< where vehicles were painted last
+  QRegion overlaid_;         ///< where the overlay was
 };
 
 }  // namespace tessera::ui

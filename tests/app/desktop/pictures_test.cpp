@@ -199,7 +199,7 @@ TEST_F(Pictures, showTheEditorsOtherToolsWhole) {
   ASSERT_TRUE(window->files().openDemo());
   for (const Dress& dress : kDresses) {
     wear(dress);
-    for (const char* tool : {"layTiles", "measure", "floorPlan", "tileCheck"}) {
+    for (const char* tool : {"layTiles", "measure", "floorPlan", "tileCheck", "locating"}) {
       trigger(tool);
       take(*window, QString::fromLatin1(tool), dress);
     }
