@@ -8,14 +8,13 @@
 #include <unordered_map>
 
 #include "floor/laid_tile.h"
+#include "floor/tile_finder.h"
 
 namespace tessera::ui {
 FloorIndex::FloorIndex(const floor::Site& site) {
   std::unordered_map<std::string_view, const floor::TileType*> types;
   for (const floor::TileType& type : site.tileTypes) types.emplace(type.name, &type);
-  std::unordered_map<std::string_view, const floor::Tile*> known;
-  known.reserve(site.tiles.size());
-  for (const floor::Tile& tile : site.tiles) known.emplace(tile.serial, &tile);
+  floor::TileFinder known{site.tiles};
 
   Metres pitch{std::numeric_limits<double>::infinity()};
   Metres smallest = pitch;
@@ -23,9 +22,9 @@ FloorIndex::FloorIndex(const floor::Site& site) {
   tiles_.reserve(site.placements.size());
   serials_.reserve(site.placements.size());
   for (const floor::Placement& placement : site.placements) {
-    const auto tile = known.find(placement.serial);
-    if (tile == known.end()) continue;
-    const auto found = types.find(tile->second->type);
+    const floor::Tile* tile = known.find(placement.serial, serials_.size());
+    if (tile == nullptr) continue;
+    const auto found = types.find(tile->type);
     if (found == types.end()) continue;
     const floor::TileType& type = *found->second;
     const int turns = ((placement.quarterTurns % 4) + 4) % 4;
@@ -44,7 +43,7 @@ FloorIndex::FloorIndex(const floor::Site& site) {
     tiles_.push_back({box, placement.origin, shape->second, static_cast<std::uint32_t>(registered_.size()),
                       static_cast<std::uint32_t>(serials_.size())});
     serials_.push_back(placement.serial);
-    const std::vector<floor::TagUid>& uids = tile->second->uids;
+    const std::vector<floor::TagUid>& uids = tile->uids;
     for (std::size_t n = 0; n < shapes_[shape->second].size(); ++n)
       registered_.push_back(n < uids.size() && !uids[n].empty());
     box_.add(box);
