@@ -5,7 +5,6 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QInputDialog>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStandardPaths>
@@ -197,16 +196,6 @@ bool SiteFiles::writeTo(const QString& path) {
   settings_.setSite(path);
   Q_EMIT saved(path);
   return true;
-}
-
-void SiteFiles::rename() {
-  bool agreed = false;
-  const QString name = QInputDialog::getText(&window_, tr("Rename the site"), tr("&Name of the site:"),
-                                             QLineEdit::Normal, QString::fromStdString(document_.site().name), &agreed);
-  // A file without a name is none of ours: it could not be opened again.
-  if (!agreed || name.trimmed().isEmpty()) return;
-  const auto done = document_.edit(tr("Rename site"), [&](floor::Site& s) { s.name = name.trimmed().toStdString(); });
-  if (!done) tell(tr("The site could not be renamed"), ui::text(done.error().sentence));
 }
 
 bool SiteFiles::mayLeave() {

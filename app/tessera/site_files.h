@@ -30,7 +30,6 @@ public:
   /// Asks for a name where there is none yet. False: not saved.
   bool save();
   bool saveAs();
-  void rename();
   /// Offers to save what is not saved. False: the person wants to stay.
   [[nodiscard]] bool mayLeave();
   /// A vehicle has a key that no file has yet: offers to save the site.

@@ -34,7 +34,7 @@ void WindowActions::makeAll() {
   open = make("open", "open", QKeySequence::Open);
   save = make("save", "save", QKeySequence::Save);
   saveAs = make("saveAs", nullptr, QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_S});
-  rename = make("rename");
+  properties = make("siteProperties", "settings", QKeySequence{Qt::ALT | Qt::Key_Return});
   quit = make("quit", nullptr, QKeySequence{Qt::CTRL | Qt::Key_Q});
   quit->setMenuRole(QAction::QuitRole);
   importFile = make("importFile", "import");
@@ -87,7 +87,7 @@ void WindowActions::fillMenus(QMainWindow& window) {
   site_->addActions({demo, newSite, open});
   recent = site_->addMenu(QString{});
   site_->addSeparator();
-  site_->addActions({save, saveAs, rename});
+  site_->addActions({save, saveAs, properties});
   site_->addSeparator();
   site_->addActions({importFile, exportFile, mapPicture});
   site_->addSeparator();

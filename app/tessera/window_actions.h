@@ -21,7 +21,7 @@ public:
   /// Puts menus and the tool bar into the window. The actions live as long as the window.
   WindowActions(QMainWindow& window, QUndoStack& steps);
 
-  QAction *demo, *newSite, *open, *save, *saveAs, *rename, *quit;
+  QAction *demo, *newSite, *open, *save, *saveAs, *properties, *quit;
   QAction *importFile, *exportFile, *mapPicture;
   QAction *undo, *redo;
   QAction *find, *measure;

@@ -32,6 +32,7 @@
 #include "ui/lay/lay_tool.h"
 #include "ui/route/route_panel.h"
 #include "ui/route/route_tool.h"
+#include "ui/site/site_dialog.h"
 
 namespace tessera::desktop {
 
@@ -122,7 +123,7 @@ void MainWindow::joinActions() {
   connect(a.open, &QAction::triggered, files_, &SiteFiles::openAsking);
   connect(a.save, &QAction::triggered, files_, &SiteFiles::save);
   connect(a.saveAs, &QAction::triggered, files_, &SiteFiles::saveAs);
-  connect(a.rename, &QAction::triggered, files_, &SiteFiles::rename);
+  connect(a.properties, &QAction::triggered, this, [this] { ui::SiteDialog{document_, this}.exec(); });
   connect(a.quit, &QAction::triggered, this, &QWidget::close);
   connect(a.zoomIn, &QAction::triggered, canvas_, &ui::FloorCanvas::zoomIn);
   connect(a.zoomOut, &QAction::triggered, canvas_, &ui::FloorCanvas::zoomOut);
@@ -206,7 +207,7 @@ void MainWindow::showSite() {
   centre_->setCurrentIndex(open_ ? centre_->indexOf(canvas_) : 0);
   panels_->setShown(open_);
   for (QAction* action : {actions_->importFile, actions_->exportFile, actions_->mapPicture,    actions_->find,
-                          actions_->measure,    actions_->save,       actions_->saveAs,        actions_->rename,
+                          actions_->measure,    actions_->save,       actions_->saveAs,        actions_->properties,
                           actions_->zoomIn,     actions_->zoomOut,    actions_->fit,           actions_->follow,
                           actions_->browse,     actions_->editRoutes, actions_->drawRoute,     actions_->editZones,
                           actions_->drawZone,   actions_->showFaults, actions_->showRevisions, actions_->registerTags,

@@ -27,7 +27,7 @@ void WindowActions::retranslate() {
   open->setText(tr("&Open…"));
   save->setText(tr("&Save"));
   saveAs->setText(tr("Save &as…"));
-  rename->setText(tr("Rena&me site…"));
+  properties->setText(tr("Properties of the si&te…"));
   importFile->setText(tr("&Import…"));
   exportFile->setText(tr("&Export…"));
   mapPicture->setText(tr("&Picture of the map…"));

@@ -2760,10 +2760,6 @@
         <translation>找不到演示场地</translation>
     </message>
     <message>
-        <source>&amp;Name of the site:</source>
-        <translation>场地名称(&amp;N)：</translation>
-    </message>
-    <message>
         <source>The site could not be opened</source>
         <translation>无法打开场地</translation>
     </message>
@@ -2798,18 +2794,6 @@
     <message>
         <source>The site could not be saved</source>
         <translation>无法保存场地</translation>
-    </message>
-    <message>
-        <source>Rename the site</source>
-        <translation>重命名场地</translation>
-    </message>
-    <message>
-        <source>Rename site</source>
-        <translation>重命名场地</translation>
-    </message>
-    <message>
-        <source>The site could not be renamed</source>
-        <translation>无法重命名场地</translation>
     </message>
     <message>
         <source>Save the changes?</source>
@@ -2958,10 +2942,6 @@
     <message>
         <source>Save &amp;as…</source>
         <translation>另存为(&amp;A)…</translation>
-    </message>
-    <message>
-        <source>Rena&amp;me site…</source>
-        <translation>重命名场地(&amp;M)…</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -3166,6 +3146,10 @@
     <message>
         <source>Loc&amp;ating of the vehicle…</source>
         <translation>车辆定位(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Properties of the si&amp;te…</source>
+        <translation>场地属性(&amp;T)…</translation>
     </message>
 </context>
 <context>
@@ -5062,6 +5046,40 @@ x %2 m，y %3 m</translation>
     </message>
 </context>
 <context>
+    <name>tessera::ui::LooseTagModel</name>
+    <message>
+        <source>UID</source>
+        <translation>UID</translation>
+    </message>
+    <message>
+        <source>x (m)</source>
+        <translation>x (m)</translation>
+    </message>
+    <message>
+        <source>y (m)</source>
+        <translation>y (m)</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>未登记</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::LooseTagPage</name>
+    <message>
+        <source>Single tags in the floor that belong to no tile, for instance at a station. Their places are those on the floor, x to the right and y upwards.</source>
+        <translation>地面上不属于任何地砖的单个标签，例如站点处的标签。位置为其在地面上的坐标：x 向右，y 向上。</translation>
+    </message>
+    <message>
+        <source>&amp;Add a tag</source>
+        <translation>添加标签(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the tag</source>
+        <translation>删除标签(&amp;R)</translation>
+    </message>
+</context>
+<context>
     <name>tessera::ui::MapPictureDialog</name>
     <message>
         <source>Picture of the map</source>
@@ -6614,6 +6632,73 @@ x %2 m，y %3 m</translation>
     <message>
         <source>Go on from there</source>
         <translation>从那里继续</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::SiteDialog</name>
+    <message>
+        <source>Change the site&apos;s properties</source>
+        <translation>更改场地属性</translation>
+    </message>
+    <message>
+        <source>Properties of the site</source>
+        <translation>场地属性</translation>
+    </message>
+    <message>
+        <source>&amp;General</source>
+        <translation>常规(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Tags without a tile</source>
+        <translation>无地砖的标签(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Name:</source>
+        <translation>名称(&amp;N)：</translation>
+    </message>
+    <message>
+        <source>&amp;Bearing of the y axis:</source>
+        <translation>y 轴方位角(&amp;B)：</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Clockwise from north, as a compass shows it when held along the y axis. 0°: y points north.</source>
+        <translation>从北方顺时针计，即指南针沿 y 轴放置时的读数。0° 表示 y 轴指向北。</translation>
+    </message>
+    <message>
+        <source>Radio &amp;channel:</source>
+        <translation>无线信道(&amp;C)：</translation>
+    </message>
+    <message>
+        <source>&amp;Air rate:</source>
+        <translation>空中速率(&amp;A)：</translation>
+    </message>
+    <message>
+        <source>Baud rate of the &amp;module:</source>
+        <translation>模块波特率(&amp;M)：</translation>
+    </message>
+    <message>
+        <source>The vehicles and the radio module of this computer must be set to the same. Who is connected takes it over with the next connection.</source>
+        <translation>车辆与本机的无线模块必须设置一致。已连接时，下次连接后生效。</translation>
+    </message>
+    <message>
+        <source>%1 bit/s</source>
+        <translation>%1 bit/s</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>确定</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source> (%1 MHz)</source>
+        <translation>（%1 MHz）</translation>
     </message>
 </context>
 <context>

@@ -1,10 +1,12 @@
 // Pictures of every view in both languages and appearances, with a look at each widget: is its text drawn whole? Run
 // once at each scale; the folder is TESSERA_PICTURES, or none are kept. docs/pictures/renew.sh renews docs/pictures.
+#include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QDir>
 #include <QDockWidget>
 #include <QScrollArea>
+#include <QTabWidget>
 #include <array>
 
 #include "app/desktop/clipped_texts.h"
@@ -245,6 +247,15 @@ TEST_F(Pictures, showTheBoxesThatAskWhole) {
     EXPECT_FALSE(window->files().mayLeave());
     inBox("radioDialog", "radio");
     trigger("radio");
+    inBox("siteDialog", "site");
+    trigger("siteProperties");
+    inDialogue(QStringLiteral("siteDialog"), [this, &dress](QDialog& box) {
+      box.findChild<QTabWidget*>()->setCurrentIndex(1);
+      box.findChild<QAbstractButton*>(QStringLiteral("addLooseTag"))->click();
+      take(box, QStringLiteral("site-tags"), dress);
+      QTest::keyClick(&box, Qt::Key_Escape);
+    });
+    trigger("siteProperties");
   }
 }
 
