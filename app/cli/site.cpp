@@ -29,6 +29,7 @@ struct SiteWords {
   int columns = 0;
   int rows = 0;
   double speed = 0;
+  double clearance = 0;
   bool practice = false;
   bool force = false;
   bool all = false;
@@ -68,7 +69,9 @@ void sayFaults(const sitecheck::Verdict& verdict, bool all) {
 int check(const SiteWords& words) {
   const auto site = floor::loadSite(words.file);
   if (!site) return complain(site.error().sentence, kBadInput);
-  const sitecheck::Verdict verdict = sitecheck::checkSite(*site);
+  sitecheck::CheckOptions options;
+  options.clearance = Metres{words.clearance};
+  const sitecheck::Verdict verdict = sitecheck::checkSite(*site, options);
   const auto figures = sitediff::figuresOf(*site);
   const std::size_t errors = verdict.count(sitecheck::Severity::Error);
   if (words.json) {
@@ -202,6 +205,8 @@ void addSite(CLI::App& app, Run& run) {
   auto* checking = addPart(*site, "check", "Read a site file and list its faults", words, check, run);
   checking->add_option("FILE", words->file, kFile)->required();
   checking->add_flag("--all", words->all, "List every fault; default: 20 of each kind");
+  checking->add_option("--clearance", words->clearance, "Room around vehicles on routes, m; default: none")
+      ->check(CLI::Range(0.0, 2.0));
   addSiteConvert(*site, run);
   auto* comparing = addPart(*site, "diff", "Say what changes from one site to another", words, compare, run);
   comparing->add_option("BEFORE", words->file, kFile)->required();

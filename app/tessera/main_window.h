@@ -99,6 +99,7 @@ private:
   void joinZones();
   void joinFaults();
   void showFaults();
+  void markFaults();
   void joinRegister();
   void joinRevisions();
   void joinBackdrop();
@@ -147,6 +148,7 @@ private:
   QPointer<ui::HelpWindow> help_;
   bool commissioning_ = false;  ///< the wizard takes the keys up itself
   bool unasked_ = false;
+  bool routeBusy_ = false;  ///< as the marks were last put down
   bool open_ = false;  // a site stands in the document
   QLabel* place_;
   QLabel* hint_;

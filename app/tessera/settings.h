@@ -38,6 +38,10 @@ public:
   [[nodiscard]] QString author() const { return store_.value("author").toString(); }
   void setAuthor(const QString& name) { store_.setValue("author", name); }
 
+  /// Room in metres that vehicles are to keep around them when the site is checked.
+  [[nodiscard]] double clearance() const { return store_.value("check/clearance_m", 0.0).toDouble(); }
+  void setClearance(double metres) { store_.setValue("check/clearance_m", metres); }
+
   [[nodiscard]] ui::ConnectionChoice connection() const;
   void setConnection(const ui::ConnectionChoice& choice);
 

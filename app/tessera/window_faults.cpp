@@ -1,5 +1,6 @@
 // Who tells whom of the site's faults in the main window.
 #include <QDockWidget>
+#include <QMenu>
 #include <QToolButton>
 
 #include "app/tessera/main_window.h"
@@ -27,12 +28,28 @@ void MainWindow::joinFaults() {
     actions_->follow->setChecked(false);
     canvas_->showPlace(place);
   });
-  // Whoever drives vehicles is not shown the marks: they come with the panel.
+  panels_->faults->setClearance(Metres{settings_.clearance()});
+  connect(panels_->faults, &ui::FaultPanel::clearanceChosen, this,
+          [this](Metres clearance) { settings_.setClearance(clearance.value()); });
+  connect(panels_->faults, &ui::FaultPanel::listWanted, this, [this] { panels_->bringForward(panels_->faults); });
+  connect(canvas_, &ui::FloorCanvas::markMenuRequested, this, [this](int row, QPoint at) {
+    QMenu* menu = panels_->faults->menuOf(row);
+    if (menu == nullptr) return;
+    // A mark may lie upon the vertex that somebody wants to change.
+    if (canvas_->tool() != nullptr) menu->addAction(tr("&Tool’s menu here"), this, [this] { canvas_->openToolMenu(); });
+    menu->popup(at);
+  });
+  // Whoever drives vehicles is not shown the marks: they come with the panel, those of a route also with its tool.
   connect(qobject_cast<QDockWidget*>(panels_->faults->parentWidget()), &QDockWidget::visibilityChanged, this,
           &MainWindow::showFaults);
   showFaults();
   // What is just being drawn or dragged is checked as it goes.
-  connect(routeTool_.get(), &ui::CanvasTool::changed, this, [this] { watch_->tryRoute(routeTool_->trial()); });
+  connect(routeTool_.get(), &ui::CanvasTool::changed, this, [this] {
+    watch_->tryRoute(routeTool_->trial());
+    if (routeTool_->isBusy() != routeBusy_) markFaults();
+  });
+  connect(canvas_, &ui::FloorCanvas::toolChanged, this, &MainWindow::markFaults);
+  connect(&selection_, &ui::Selection::routeChanged, this, &MainWindow::markFaults);
   connect(watch_.get(), &ui::FaultWatch::routeTried, this, [this](const sitecheck::Faults& faults) {
     std::vector<ui::FloorMark> marks;
     for (const sitecheck::Fault& fault : faults)
@@ -49,9 +66,21 @@ void MainWindow::showFaults() {
   faults_->setText(panel.summary());
   faults_->setIcon(ui::icon(panel.summaryIcon()));
   faults_->setToolTip(tr("What is wrong with the site: click for the list"));
+  markFaults();
+}
+
+void MainWindow::markFaults() {
+  if (!routeTool_) return;  // the window is being taken down
+  const ui::FaultPanel& panel = *panels_->faults;
+  routeBusy_ = routeTool_->isBusy();
   std::optional<std::size_t> chosen;
   std::vector<ui::FloorMark> marks;
-  if (!dock->isHidden()) marks = panel.marks(chosen);
+  if (!qobject_cast<QDockWidget*>(panel.parentWidget())->isHidden()) {
+    marks = panel.marks(chosen);
+  } else if (canvas_->tool() == routeTool_.get() && !routeBusy_ && !selection_.route().isEmpty()) {
+    // While it is dragged the tool marks what would be wrong then.
+    marks = panel.marks(chosen, selection_.route());
+  }
   canvas_->setMarks(std::move(marks), chosen);
 }
 

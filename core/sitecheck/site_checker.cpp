@@ -135,6 +135,12 @@ void SiteChecker::runPerItem(PerItem& results, const Items* before, const Items&
   }
 }
 
+void SiteChecker::setOptions(const CheckOptions& options) {
+  if (options == options_) return;
+  options_ = options;
+  site_.reset();
+}
+
 const Verdict& SiteChecker::check(std::shared_ptr<const Site> site) {
   const std::shared_ptr<const Site> before = std::exchange(site_, std::move(site));
   const unsigned changed = before == nullptr ? kAll : before == site_ ? 0U : changedSections(*before, *site_);

@@ -31,6 +31,8 @@ private:
 class SiteChecker {
 public:
   explicit SiteChecker(CheckOptions options = {}) : options_{options} {}
+  /// With others the next check is a full one.
+  void setOptions(const CheckOptions& options);
   /// Any site at all: also one that no map can be built of. Sections are compared by value.
   const Verdict& check(std::shared_ptr<const floor::Site> site);
   /// What would be wrong with this route in the site that was checked last, as while it is being drawn.

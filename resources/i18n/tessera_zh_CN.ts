@@ -2717,6 +2717,10 @@
         <source>What is wrong with the site: click for the list</source>
         <translation>场地有什么问题：点击查看列表</translation>
     </message>
+    <message>
+        <source>&amp;Tool’s menu here</source>
+        <translation>此处的工具菜单(&amp;T)</translation>
+    </message>
 </context>
 <context>
     <name>tessera::desktop::RevisionDesk</name>
@@ -4213,6 +4217,30 @@ Can be mended: %2.</source>
     <message>
         <source>No single edit mends this fault.</source>
         <translation>没有一步编辑能够修正此问题。</translation>
+    </message>
+    <message>
+        <source>No single edit mends this fault</source>
+        <translation>没有一步编辑能够修正此问题</translation>
+    </message>
+    <message>
+        <source>&amp;Go there</source>
+        <translation>转到该处(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Show in &amp;list</source>
+        <translation>在列表中显示(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Room around vehicles:</source>
+        <translation>车辆四周的空间(&amp;R)：</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>On a route a vehicle’s outline, with that much room all around, must not stick out of the zones in which it may be.</source>
+        <translation>在路径上，车辆轮廓连同四周这么多的空间，不得超出允许它所在的区域。</translation>
     </message>
 </context>
 <context>

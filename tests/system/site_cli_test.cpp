@@ -67,6 +67,15 @@ TEST_F(SiteCommands, makeAFloorThatIsNotWrittenOver) {
   EXPECT_EQ(json(forced, cli::kDone)["tiles"], 1);
 }
 
+TEST_F(SiteCommands, checkWithRoomAroundVehicles) {
+  const std::string paper = TESSERA_SITES "/paper.tessera.json";
+  EXPECT_EQ(json({"check", paper}, cli::kDone)["warnings"], 0);
+  const auto checked = json({"check", paper, "--clearance", "0.3"}, cli::kDone);
+  ASSERT_EQ(checked["warnings"], 1);
+  EXPECT_EQ(checked["faults"][0]["kind"], "route-too-close");
+  run({"check", paper, "--clearance", "-1"}, cli::kUsage);
+}
+
 TEST_F(SiteCommands, refuseWordsThatAreWrong) {
   run({"new", at("x"), "--tile-type", "marble", "--columns", "1", "--rows", "1"}, cli::kUsage);
   run({"new", at("x"), "--tile-type", "30x30 full 15", "--columns", "0", "--rows", "1"}, cli::kUsage);

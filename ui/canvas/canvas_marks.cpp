@@ -1,4 +1,5 @@
 // Marks of faults and of differences on the canvas, and how it goes to a place.
+#include <QMouseEvent>
 #include <algorithm>
 
 #include "ui/canvas/floor_canvas.h"
@@ -16,6 +17,19 @@ void FloorCanvas::setMarks(std::vector<FloorMark> marks, std::optional<std::size
   marks_ = std::move(marks);
   chosenMark_ = chosen;
   update();
+}
+
+bool FloorCanvas::openMarkMenu(const QMouseEvent& event) {
+  if (!layers_.faults || (tool_ && tool_->isBusy())) return false;
+  const FloorMark* mark = markAt(marks_, view_, event.position());
+  if (mark == nullptr || mark->row < 0) return false;
+  menuMouse_ = toolMouse(event);
+  Q_EMIT markMenuRequested(mark->row, event.globalPosition().toPoint());
+  return true;
+}
+
+void FloorCanvas::openToolMenu() {
+  if (tool_) tool_->mousePressed(menuMouse_, toolScene());
 }
 
 void FloorCanvas::setChanges(ChangeMarks changes) {

@@ -8,8 +8,10 @@
 #include <QString>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "ui/canvas/floor_index.h"
+#include "ui/canvas/floor_marks.h"
 #include "ui/canvas/theme.h"
 #include "ui/canvas/view.h"
 
@@ -49,6 +51,10 @@ public:
   virtual void mouseLeft() {}
 
   virtual void paint(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme) = 0;
+  /// Marks that paint() shows: what they say is told under the mouse.
+  [[nodiscard]] virtual std::span<const FloorMark> marks() const { return {}; }
+  /// Something is unfinished, so that no other menu shall open.
+  [[nodiscard]] virtual bool isBusy() const { return false; }
   /// True: paint() shows the chosen route, perhaps as it is being changed; the canvas leaves it out.
   [[nodiscard]] virtual bool drawsChosenRoute() const { return false; }
   /// The picture beneath the floor as it is just being changed; the canvas shows it in place of the site's.

@@ -30,6 +30,7 @@ public:
   bool keyReleased(QKeyEvent& event, const CanvasScene& scene) override;
   [[nodiscard]] bool wantsShortcut(const QKeyEvent& event) const override;
   void mouseLeft() override;
+  [[nodiscard]] bool isBusy() const override { return drawing_ || isDragging(); }
   bool cancel() override;
   bool undo() override;
   bool redo() override;

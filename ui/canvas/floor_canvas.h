@@ -38,6 +38,8 @@ public:
   /// What is wrong on the floor, and which of it is looked at.
   void setMarks(std::vector<FloorMark> marks, std::optional<std::size_t> chosen);
   [[nodiscard]] const std::vector<FloorMark>& marked() const { return marks_; }
+  /// What the tool has for the place of the last mark whose menu was asked for.
+  void openToolMenu();
   /// What differs from another state of the site, drawn upon this one; empty: nothing is compared.
   void setChanges(ChangeMarks changes);
   [[nodiscard]] const ChangeMarks& changes() const { return changes_.marks(); }
@@ -83,6 +85,8 @@ Q_SIGNALS:
   void pointed(std::optional<tessera::Point> place);
   void vehiclePicked(tessera::VehicleId vehicle);
   void routePicked(const QString& route);
+  /// The right button on a mark: the row that it was given, and where on the screen.
+  void markMenuRequested(int row, QPoint global);
   /// A click on nothing but floor.
   void floorPicked(tessera::Point place);
   void scaleChanged(double pixelsPerMetre);
@@ -128,6 +132,7 @@ private:
   void drawOn();
   [[nodiscard]] CanvasScene toolScene() const { return {view_, *map_, *index_}; }
   [[nodiscard]] ToolMouse toolMouse(const QMouseEvent& event) const;
+  bool openMarkMenu(const QMouseEvent& event);
   [[nodiscard]] std::optional<VehicleId> vehicleAt(QPointF pixel) const;
   [[nodiscard]] QString routeAt(QPointF pixel) const;
   void pick(QPointF pixel);
@@ -151,6 +156,7 @@ private:
   std::vector<TileMark> tileMarks_;
   std::vector<FloorMark> marks_;
   std::optional<std::size_t> chosenMark_;
+  ToolMouse menuMouse_;  ///< that asked for a mark's menu
   ChangeLayer changes_;
   QPointer<CanvasTool> tool_;
   CanvasOverlay* overlay_ = nullptr;

@@ -71,7 +71,7 @@ void paintMarks(QPainter& painter, const View& view, const CanvasTheme& theme, c
   paintSign(painter, signAt(view, mark), mark.severe, kMarkReach + 2, theme);
 }
 
-const FloorMark* markAt(const std::vector<FloorMark>& marks, const View& view, QPointF pixel) {
+const FloorMark* markAt(std::span<const FloorMark> marks, const View& view, QPointF pixel) {
   const FloorMark* found = nullptr;
   for (const FloorMark& mark : marks) {
     const QPointF away = signAt(view, mark) - pixel;

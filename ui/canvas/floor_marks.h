@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QString>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "ui/canvas/theme.h"
@@ -15,8 +16,10 @@ struct FloorMark {
   SiteBox place;        ///< empty: nowhere in particular, so that nothing is drawn
   bool severe = false;  ///< an error; else a warning
   QString sentence;     ///< under the mouse
+  int row = -1;         ///< by which whoever made it knows it; -1: it has no menu
   bool operator==(const FloorMark& o) const {
-    return place.low == o.place.low && place.high == o.place.high && severe == o.severe && sentence == o.sentence;
+    return place.low == o.place.low && place.high == o.place.high && severe == o.severe && sentence == o.sentence &&
+           row == o.row;
   }
 };
 
@@ -26,6 +29,6 @@ inline constexpr double kMarkReach = 9.0;  ///< pixels from a mark's middle
 void paintMarks(QPainter& painter, const View& view, const CanvasTheme& theme, const std::vector<FloorMark>& marks,
                 std::optional<std::size_t> chosen);
 /// The mark whose sign lies under the pixel, errors first; nullptr: none.
-[[nodiscard]] const FloorMark* markAt(const std::vector<FloorMark>& marks, const View& view, QPointF pixel);
+[[nodiscard]] const FloorMark* markAt(std::span<const FloorMark> marks, const View& view, QPointF pixel);
 
 }  // namespace tessera::ui

@@ -1,11 +1,13 @@
 #include "ui/check/fault_panel.h"
 
 #include <QAction>
+#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QItemSelectionModel>
 #include <QLabel>
 #include <QListView>
+#include <QMenu>
 #include <QStackedWidget>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -22,6 +24,11 @@ using sitecheck::Severity;
 
 SiteBox boxOf(const Box& place) { return {place.low, place.high}; }
 
+bool isOf(const Fault& fault, const QString& route) {
+  return !fault.objects.empty() && fault.objects.front().kind == sitecheck::ObjectKind::Route &&
+         QString::fromStdString(fault.objects.front().name) == route;
+}
+
 }  // namespace
 
 FaultPanel::FaultPanel(SiteDocument& document, FaultWatch& watch, QWidget* parent)
@@ -34,7 +41,13 @@ FaultPanel::FaultPanel(SiteDocument& document, FaultWatch& watch, QWidget* paren
   list_->setWordWrap(true);
   list_->setResizeMode(QListView::Adjust);
   list_->setUniformItemSizes(false);
-  list_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  list_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(list_, &QListView::customContextMenuRequested, this, [this](QPoint at) {
+    // The menu key asks for it in the middle of the chosen row, or somewhere beside it.
+    const QModelIndex under = list_->indexAt(at);
+    if (QMenu* menu = menuOf(under.isValid() ? under.row() : currentRow(), true))
+      menu->popup(list_->viewport()->mapToGlobal(at));
+  });
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
     refreshActions();
     if (!filling_) Q_EMIT changed();
@@ -52,7 +65,7 @@ FaultPanel::FaultPanel(SiteDocument& document, FaultWatch& watch, QWidget* paren
   layout->setSpacing(0);
   layout->addWidget(makeBar());
   layout->addWidget(pages_, 1);
-  list_->addActions({show_, mend_});
+  layout->addWidget(makeClearance());
   connect(&watch_, &FaultWatch::changed, this, &FaultPanel::refresh);
   retranslate();
   refresh();
@@ -75,7 +88,9 @@ QWidget* FaultPanel::makeBar() {
   connect(errors_, &QAction::toggled, this, &FaultPanel::filter);
   connect(warnings_, &QAction::toggled, this, &FaultPanel::filter);
   connect(show_, &QAction::triggered, this, [this] { goTo(currentRow()); });
-  connect(mend_, &QAction::triggered, this, &FaultPanel::mend);
+  connect(mend_, &QAction::triggered, this, [this] {
+    if (const int row = currentRow(); row >= 0) mend(model_->fault(row));
+  });
   addAction(mend_);
   auto* bar = new QToolBar;
   const int side = fontMetrics().height() + 2;
@@ -93,6 +108,31 @@ QWidget* FaultPanel::makeBar() {
   layout->addWidget(state_);
   return row;
 }
+
+QWidget* FaultPanel::makeClearance() {
+  clearance_ = new QDoubleSpinBox;
+  clearance_->setObjectName("clearance");
+  clearance_->setDecimals(2);
+  clearance_->setRange(0.0, 2.0);
+  clearance_->setSingleStep(0.05);
+  clearance_->setKeyboardTracking(false);  // while somebody types, the site is not checked for each digit
+  connect(clearance_, &QDoubleSpinBox::valueChanged, this, [this](double metres) {
+    watch_.setClearance(Metres{metres});
+    Q_EMIT clearanceChosen(Metres{metres});
+  });
+  clearanceLabel_ = new QLabel;
+  clearanceLabel_->setBuddy(clearance_);
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout{row};
+  const int side = fontMetrics().height() / 3;
+  layout->setContentsMargins(2 * side, side, 2 * side, side);
+  layout->addWidget(clearanceLabel_);
+  layout->addWidget(clearance_);
+  layout->addStretch(1);
+  return row;
+}
+
+void FaultPanel::setClearance(Metres clearance) { clearance_->setValue(clearance.value()); }
 
 int FaultPanel::currentRow() const { return list_->currentIndex().isValid() ? list_->currentIndex().row() : -1; }
 
@@ -143,10 +183,31 @@ void FaultPanel::goTo(int row) {
   if (const auto& place = model_->fault(row).place) Q_EMIT placeWanted(boxOf(*place));
 }
 
-void FaultPanel::mend() {
-  const int row = currentRow();
-  if (row < 0 || !model_->fault(row).fix) return;
-  const sitecheck::Fix fix = *model_->fault(row).fix;
+QMenu* FaultPanel::menuOf(int row, bool inList) {
+  if (row < 0 || row >= model_->rowCount()) return nullptr;
+  // By value: the verdict may be another before somebody has chosen.
+  const Fault fault = model_->fault(row);
+  const auto stillHere = [this, fault](const auto& act) { return [this, fault, act] { act(model_->rowOf(fault)); }; };
+  auto* menu = new QMenu{this};
+  menu->setObjectName("faultMenu");
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  QString order = fault.fix ? text(fault.fix->sentence) : tr("No single edit mends this fault");
+  order.replace(QLatin1Char{'&'}, QLatin1String{"&&"});
+  menu->addAction(mend_->icon(), order, this, [this, fault] { mend(fault); })->setEnabled(fault.fix.has_value());
+  menu->addAction(show_->icon(), tr("&Go there"), this, stillHere([this](int now) { goTo(now); }))
+      ->setEnabled(fault.place.has_value());
+  if (inList) return menu;
+  menu->addAction(icon(QStringLiteral("error")), tr("Show in &list"), this, stillHere([this](int now) {
+                    choose(now);
+                    Q_EMIT listWanted();
+                    list_->setFocus();
+                  }));
+  return menu;
+}
+
+void FaultPanel::mend(const Fault& fault) {
+  if (!fault.fix) return;
+  const sitecheck::Fix fix = *fault.fix;
   bool fits = false;
   const auto done =
       document_.edit(text(fix.sentence), [&](floor::Site& site) { fits = sitecheck::mend(fix.edit, site); });
@@ -178,14 +239,14 @@ QString FaultPanel::summaryIcon() const {
   return watch_.verdict().size() > 0 ? QStringLiteral("warning") : QStringLiteral("check");
 }
 
-std::vector<FloorMark> FaultPanel::marks(std::optional<std::size_t>& chosen) const {
+std::vector<FloorMark> FaultPanel::marks(std::optional<std::size_t>& chosen, const QString& route) const {
   std::vector<FloorMark> all;
   chosen.reset();
   for (int row = 0; row < model_->rowCount(); ++row) {
     const Fault& fault = model_->fault(row);
-    if (!fault.place) continue;
+    if (!fault.place || (!route.isEmpty() && !isOf(fault, route))) continue;
     if (row == currentRow()) chosen = all.size();
-    all.push_back({boxOf(*fault.place), fault.severity == Severity::Error, text(fault.sentence)});
+    all.push_back({boxOf(*fault.place), fault.severity == Severity::Error, text(fault.sentence), row});
   }
   return all;
 }
@@ -198,6 +259,11 @@ void FaultPanel::retranslate() {
   show_->setText(tr("&Show"));
   show_->setToolTip(tr("Show the place on the floor (Enter)"));
   mend_->setText(tr("&Mend"));
+  clearanceLabel_->setText(tr("&Room around vehicles:"));
+  clearance_->setSuffix(tr(" m"));
+  clearance_->setToolTip(
+      tr("On a route a vehicle’s outline, with that much room all around, must not stick out of the zones in which it "
+         "may be."));
   list_->setAccessibleName(tr("Faults of the site"));
 }
 

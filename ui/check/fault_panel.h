@@ -10,8 +10,10 @@
 #include "ui/check/fault_watch.h"
 
 class QAction;
+class QDoubleSpinBox;
 class QLabel;
 class QListView;
+class QMenu;
 class QStackedWidget;
 class QToolBar;
 class QToolButton;
@@ -29,14 +31,22 @@ public:
   /// "2 errors, 1 warning", for the status bar.
   [[nodiscard]] QString summary() const;
   [[nodiscard]] QString summaryIcon() const;
-  /// Of the listed faults that have a place, and which one is chosen.
-  [[nodiscard]] std::vector<FloorMark> marks(std::optional<std::size_t>& chosen) const;
+  /// Of the listed faults that have a place, and which one is chosen. `route`: of that route's faults alone.
+  [[nodiscard]] std::vector<FloorMark> marks(std::optional<std::size_t>& chosen, const QString& route = {}) const;
+  /// As it was chosen the last time; the check follows.
+  void setClearance(Metres clearance);
+  /// What can be done with the fault of that row; it deletes itself when it closes. Null: there is no such row.
+  [[nodiscard]] QMenu* menuOf(int row, bool inList = false);
 
 Q_SIGNALS:
   /// Title, summary or marks are others.
   void changed();
   /// The operator wants to see this place on the floor.
   void placeWanted(const tessera::ui::SiteBox& place);
+  /// The operator wants to see the list, with the fault that is chosen in it now.
+  void listWanted();
+  /// The operator wants vehicles to keep that much room.
+  void clearanceChosen(tessera::Metres clearance);
   /// One sentence: why something was not done.
   void refused(const QString& sentence);
 
@@ -45,12 +55,13 @@ protected:
 
 private:
   QWidget* makeBar();
+  QWidget* makeClearance();
   void retranslate();
   void refresh();
   void filter();
   void choose(int row);
   void goTo(int row);
-  void mend();
+  void mend(const sitecheck::Fault& fault);
   void refreshActions();
   [[nodiscard]] int currentRow() const;
 
@@ -61,6 +72,8 @@ private:
   QListView* list_;
   QLabel* empty_;
   QLabel* state_ = nullptr;
+  QLabel* clearanceLabel_ = nullptr;
+  QDoubleSpinBox* clearance_ = nullptr;
   QAction* errors_ = nullptr;
   QAction* warnings_ = nullptr;
   QAction* show_ = nullptr;

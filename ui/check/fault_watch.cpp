@@ -25,6 +25,13 @@ void FaultWatch::order() {
   thread_.check(wanted_);
 }
 
+void FaultWatch::setClearance(Metres clearance) {
+  if (clearance == wanted_.options.clearance) return;
+  wanted_.options.clearance = clearance;
+  order();
+  Q_EMIT changed();
+}
+
 void FaultWatch::tryRoute(std::optional<floor::Route> route) {
   if (route == wanted_.trial) return;
   wanted_.trial = std::move(route);
@@ -40,8 +47,9 @@ void FaultWatch::take() {
   if (result == nullptr || (another_ && result->order.site != wanted_.site)) return;
   another_ = false;
   // A later order may have changed only the route that is tried: the verdict holds all the same.
-  const bool news = result->order.site != checked_;
+  const bool news = result->order.site != checked_ || result->order.options != options_;
   checked_ = result->order.site;
+  options_ = result->order.options;
   verdict_ = result->verdict;
   if (news) Q_EMIT changed();
   if (wanted_.trial && result->order.trial == wanted_.trial) Q_EMIT routeTried(result->trialFaults);

@@ -18,7 +18,10 @@ public:
 
   /// The newest that there is; while isChecking() of the site as it was.
   [[nodiscard]] const sitecheck::Verdict& verdict() const { return verdict_; }
-  [[nodiscard]] bool isChecking() const { return checked_ != wanted_.site; }
+  [[nodiscard]] bool isChecking() const { return checked_ != wanted_.site || options_ != wanted_.options; }
+  /// Room that vehicles are to keep around them.
+  [[nodiscard]] Metres clearance() const { return wanted_.options.clearance; }
+  void setClearance(Metres clearance);
   /// A route as it would be, while it is drawn or dragged; nullopt: none any more.
   void tryRoute(std::optional<floor::Route> route);
 
@@ -35,6 +38,7 @@ private:
   SiteDocument& document_;
   sitecheck::CheckOrder wanted_;
   std::shared_ptr<const floor::Site> checked_;
+  sitecheck::CheckOptions options_;  ///< with which it was checked
   sitecheck::Verdict verdict_;
   bool another_ = false;           ///< a site was opened; what is still found of the one before is of no use
   sitecheck::CheckThread thread_;  // last: nothing comes from it once the others go

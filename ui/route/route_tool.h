@@ -32,6 +32,7 @@ public:
   bool mouseReleased(const ToolMouse& mouse, const CanvasScene& scene) override;
   bool mouseDoubleClicked(const ToolMouse& mouse, const CanvasScene& scene) override;
   void paint(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme) override;
+  [[nodiscard]] std::span<const FloorMark> marks() const override { return trialFaults_; }
   [[nodiscard]] bool drawsChosenRoute() const override { return true; }
   [[nodiscard]] QCursor cursor() const override;
   [[nodiscard]] QString hint() const override;

@@ -31,6 +31,7 @@ void CheckThread::run() {
     if (ending_.load()) return;
     auto order = orders_.take();
     if (order == nullptr) continue;
+    checker.setOptions(order->options);
     const Verdict& verdict = checker.check(order->site);
     Faults trial = order->trial ? checker.tryRoute(*order->trial) : Faults{};
     results_.put(std::make_unique<CheckResult>(CheckResult{std::move(*order), verdict, std::move(trial)}));

@@ -16,6 +16,7 @@ namespace tessera::sitecheck {
 struct CheckOrder {
   std::shared_ptr<const floor::Site> site;
   std::optional<floor::Route> trial = {};  ///< a route that is just being drawn or dragged, as it would be
+  CheckOptions options = {};
 };
 
 struct CheckResult {

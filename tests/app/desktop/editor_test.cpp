@@ -1,6 +1,8 @@
 // Changing a site in the whole window: zones, what is wrong with them, and how it is mended, by mouse and keys.
 #include <QAbstractItemView>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QMenu>
 #include <QToolButton>
 
 #include "app/desktop/desktop_fixture.h"
@@ -71,6 +73,62 @@ TEST_F(Editor, saysWhatIsWrongWithARouteWhileItIsDrawn) {
   QTest::mouseMove(&window->canvas(), pixelOf(way[1].x.value(), way[1].y.value()));
   const QImage atOnce = window->canvas().grab().toImage();
   EXPECT_TRUE(until([&] { return window->canvas().grab().toImage() != atOnce; })) << "the fault comes a moment later";
+}
+
+TEST_F(Editor, marksWhatIsWrongWithTheChosenRouteAndMendsItByTheMarksMenu) {
+  const auto route = [this]() -> const floor::Route& { return window->document().site().routes.front(); };
+  const Point inside = route().vertices[0];
+  ASSERT_TRUE(window->document().edit("Move", [](floor::Site& site) {
+    auto& vertex = site.routes.front().vertices[0];
+    vertex = {Metres{-0.1}, vertex.y};
+  }));
+  ASSERT_NE(route().vertices[0], inside);
+  ASSERT_TRUE(until([&] { return summary().contains("error"); })) << summary().toStdString();
+  EXPECT_TRUE(window->canvas().marked().empty());
+  trigger("editRoutes");
+  window->canvas().fit();
+  const Point first = route().vertices[1] + 0.3 * (route().vertices[2] - route().vertices[1]);
+  clickFloor(first.x.value(), first.y.value());
+  ASSERT_TRUE(until([&] { return !window->canvas().marked().empty(); })) << "with the tool, without the panel";
+  EXPECT_TRUE(find<QDockWidget>("faultsDock")->isHidden());
+  const ui::FloorMark mark = window->canvas().marked().front();
+  EXPECT_TRUE(mark.sentence.contains(QString::fromStdString(route().name))) << mark.sentence.toStdString();
+  const QPoint at = window->canvas().view().toPixel(mark.place.centre()).toPoint();
+  const auto menuAt = [&](QPoint pixel) {
+    QTest::mouseClick(&window->canvas(), Qt::RightButton, {}, pixel);
+    return window->findChild<QMenu*>("faultMenu");
+  };
+  QMenu* menu = menuAt(at);
+  ASSERT_NE(menu, nullptr);
+  ASSERT_EQ(menu->actions().size(), 4);
+  EXPECT_TRUE(menu->actions()[0]->text().startsWith("Move vertex 1")) << menu->actions()[0]->text().toStdString();
+  QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(menu->actions()[2]).center());
+  ASSERT_TRUE(until([&] { return find<QAbstractItemView>("faultList")->isVisible(); }));
+  EXPECT_EQ(find<QAbstractItemView>("faultList")->currentIndex().data().toString(), mark.sentence);
+  find<QDockWidget>("faultsDock")->close();
+  ASSERT_TRUE(until([&] { return window->findChild<QMenu*>("faultMenu") == nullptr; }));
+  menu = menuAt(at);
+  ASSERT_NE(menu, nullptr);
+  QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(menu->actions()[0]).center());
+  EXPECT_GT(route().vertices[0].x, Metres{0.0});
+  EXPECT_TRUE(until([&] { return !summary().contains("error"); })) << summary().toStdString();
+  trigger("undo");
+  EXPECT_EQ(route().vertices[0].x, Metres{-0.1});
+  EXPECT_TRUE(until([&] { return !window->canvas().marked().empty(); }));
+  trigger("browse");
+  EXPECT_TRUE(window->canvas().marked().empty()) << "they go with the tool";
+}
+
+TEST_F(Editor, keepsTheRoomAroundVehiclesForThePerson) {
+  trigger("showFaults");
+  auto* room = find<QDoubleSpinBox>("clearance");
+  room->setFocus();
+  room->selectAll();
+  QTest::keyClicks(room, "0.35");
+  QTest::keyClick(room, Qt::Key_Return);
+  ASSERT_TRUE(closeWindow());
+  openWindow(false);
+  EXPECT_EQ(find<QDoubleSpinBox>("clearance")->value(), 0.35);
 }
 
 TEST_F(Editor, takesTurnsWithTheOtherTools) {

@@ -1,7 +1,11 @@
 // Marks on the floor: seen, switched off, told under the mouse, and gone to.
 #include <gtest/gtest.h>
 
+#include <QApplication>
+#include <QHelpEvent>
+#include <QSignalSpy>
 #include <QTest>
+#include <QToolTip>
 
 #include "canvas_site.h"
 #include "ui/canvas/floor_canvas.h"
@@ -59,6 +63,62 @@ TEST_F(MarksUnderTest, AreToldUnderTheMouseErrorsFirst) {
   ASSERT_NE(markAt(marks, canvas.view(), pixel(place)), nullptr);
   EXPECT_EQ(markAt(marks, canvas.view(), pixel(place))->sentence, "wrong");
   EXPECT_EQ(markAt(marks, canvas.view(), pixel(place) + QPoint{30, 0}), nullptr);
+}
+
+class FinickyTool : public CanvasTool {
+public:
+  bool mousePressed(const ToolMouse&, const CanvasScene&) override {
+    ++presses;
+    return true;
+  }
+  bool mouseMoved(const ToolMouse&, const CanvasScene&) override { return false; }
+  bool mouseReleased(const ToolMouse&, const CanvasScene&) override { return false; }
+  bool mouseDoubleClicked(const ToolMouse&, const CanvasScene&) override { return false; }
+  bool keyPressed(QKeyEvent&, const CanvasScene&) override { return false; }
+  bool keyReleased(QKeyEvent&, const CanvasScene&) override { return false; }
+  [[nodiscard]] bool wantsShortcut(const QKeyEvent&) const override { return false; }
+  void paint(QPainter&, const CanvasScene&, const CanvasTheme&) override {}
+  [[nodiscard]] std::span<const FloorMark> marks() const override { return own; }
+  [[nodiscard]] bool isBusy() const override { return busy; }
+  [[nodiscard]] QCursor cursor() const override { return Qt::ArrowCursor; }
+  [[nodiscard]] QString hint() const override { return {}; }
+  bool cancel() override { return false; }
+  int presses = 0;
+  bool busy = false;
+  std::vector<FloorMark> own;
+};
+
+TEST_F(MarksUnderTest, HaveAMenuUnlessAToolIsInTheMiddleOfSomething) {
+  FinickyTool tool;
+  canvas.setTool(&tool);
+  const SiteBox place = boxAt(3.0, 3.0, 0.6, 0.6);
+  canvas.setMarks({{boxAt(6.0, 6.0, 0.0, 0.0), true, "no menu"}, {place, false, "odd", 7}}, {});
+  QSignalSpy asked{&canvas, &FloorCanvas::markMenuRequested};
+  QTest::mouseClick(&canvas, Qt::RightButton, {}, pixel(place));
+  ASSERT_EQ(asked.count(), 1);
+  EXPECT_EQ(asked[0][0].toInt(), 7);
+  EXPECT_EQ(tool.presses, 0);
+  canvas.openToolMenu();
+  EXPECT_EQ(tool.presses, 1) << "it can be had all the same";
+  QTest::mouseClick(&canvas, Qt::RightButton, {}, pixel(place) + QPoint{40, 0});
+  QTest::mouseClick(&canvas, Qt::RightButton, {}, pixel(boxAt(6.0, 6.0, 0.0, 0.0)));
+  tool.busy = true;
+  QTest::mouseClick(&canvas, Qt::RightButton, {}, pixel(place));
+  EXPECT_EQ(asked.count(), 1);
+  EXPECT_EQ(tool.presses, 4);
+  canvas.setTool(nullptr);
+}
+
+TEST_F(MarksUnderTest, OfAToolSayTheirSentenceUnderTheMouse) {
+  FinickyTool tool;
+  tool.own = {{boxAt(3.0, 3.0, 0.0, 0.0), true, "too close to the wall"}};
+  canvas.setTool(&tool);
+  const QPoint at = pixel(tool.own[0].place);
+  QHelpEvent help{QEvent::ToolTip, at, canvas.mapToGlobal(at)};
+  QApplication::sendEvent(&canvas, &help);
+  EXPECT_EQ(QToolTip::text(), "too close to the wall");
+  QToolTip::hideText();
+  canvas.setTool(nullptr);
 }
 
 // As many as a check tells of one kind: what covers one another is drawn once.

@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QContextMenuEvent>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListView>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -138,6 +141,70 @@ TEST_F(FaultsUnderTest, MovesARouteToWhereItsVehiclesHaveRoom) {
   EXPECT_GT(document.site().routes[0].vertices[0].y, Metres{0.05});
   ASSERT_TRUE(settled());
   EXPECT_EQ(rowWith("sticks out"), -1) << all().toStdString();
+}
+
+TEST_F(FaultsUnderTest, OffersTheFixInTheMenuOfItsRowByKeyToo) {
+  addRoute({placeAt(0.5, 0.03), placeAt(2.0, 0.03)});
+  const int row = rowWith("sticks out");
+  ASSERT_GE(row, 0) << all().toStdString();
+  list().setCurrentIndex(list().model()->index(row, 0));
+  const QPoint middle = list().visualRect(list().currentIndex()).center();
+  QContextMenuEvent key{QContextMenuEvent::Keyboard, middle, list().viewport()->mapToGlobal(middle)};
+  QApplication::sendEvent(list().viewport(), &key);
+  auto* menu = panel.findChild<QMenu*>("faultMenu");
+  ASSERT_NE(menu, nullptr);
+  ASSERT_EQ(menu->actions().size(), 2);
+  EXPECT_TRUE(menu->actions()[0]->text().startsWith("Move 2 vertices of route"));
+  QTest::keyClick(menu, Qt::Key_Down);
+  QTest::keyClick(menu, Qt::Key_Return);
+  EXPECT_GT(document.site().routes[0].vertices[0].y, Metres{0.05});
+}
+
+TEST_F(FaultsUnderTest, GivesTheMarksOfOneRouteAndTheirMenu) {
+  addRoute({placeAt(0.5, 0.03), placeAt(2.0, 0.03)});
+  ASSERT_TRUE(document.edit("Forget", [](floor::Site& site) { site.tiles[0].uids.clear(); }));
+  ASSERT_TRUE(settled());
+  std::optional<std::size_t> chosen;
+  ASSERT_EQ(panel.marks(chosen).size(), 2U) << all().toStdString();
+  EXPECT_TRUE(panel.marks(chosen, "other").empty());
+  const auto marks = panel.marks(chosen, "out");
+  ASSERT_EQ(marks.size(), 1U);
+  QSignalSpy wanted{&panel, &FaultPanel::placeWanted};
+  QSignalSpy listed{&panel, &FaultPanel::listWanted};
+  QMenu* menu = panel.menuOf(marks[0].row);
+  ASSERT_EQ(menu->actions().size(), 3);
+  menu->actions()[1]->trigger();
+  EXPECT_EQ(wanted.count(), 1);
+  menu->actions()[2]->trigger();
+  EXPECT_EQ(listed.count(), 1);
+  EXPECT_EQ(list().currentIndex().row(), marks[0].row);
+  delete menu;
+  menu = panel.menuOf(rowWith("No tag of tile"));
+  EXPECT_EQ(menu->actions()[0]->text(), "No single edit mends this fault");
+  EXPECT_FALSE(menu->actions()[0]->isEnabled());
+  delete menu;
+  EXPECT_EQ(panel.menuOf(99), nullptr);
+}
+
+TEST_F(FaultsUnderTest, ChecksWithAsMuchRoomAroundVehiclesAsIsTyped) {
+  addRoute({placeAt(0.6, 0.6), placeAt(2.0, 0.6)});
+  ASSERT_EQ(rows(), 0) << all().toStdString();
+  QSignalSpy chosen{&panel, &FaultPanel::clearanceChosen};
+  auto* room = panel.findChild<QDoubleSpinBox*>("clearance");
+  EXPECT_EQ(room->value(), 0.0);
+  room->setFocus();
+  room->selectAll();
+  QTest::keyClicks(room, "0.6");
+  EXPECT_EQ(watch.clearance(), Metres{0.0}) << "not for each digit";
+  QTest::keyClick(room, Qt::Key_Return);
+  EXPECT_EQ(watch.clearance(), Metres{0.6});
+  EXPECT_TRUE(watch.isChecking());
+  ASSERT_TRUE(settled());
+  EXPECT_EQ(rowWith("0.60 m of room around it"), 0) << all().toStdString();
+  panel.setClearance(Metres{0.0});
+  ASSERT_TRUE(settled());
+  EXPECT_EQ(rows(), 0) << all().toStdString();
+  EXPECT_EQ(chosen.count(), 2);
 }
 
 TEST_F(FaultsUnderTest, OffersNoMendingWhereThereIsNone) {
