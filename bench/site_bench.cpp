@@ -79,20 +79,25 @@ void check(benchmark::State& state) {
 }
 BENCHMARK(check)->Apply(sizes)->Unit(benchmark::kMillisecond);
 
-// The same where no tile has a UID and each lies a little off the next: faults without end.
-void checkBad(benchmark::State& state) {
-  floor::Site site = siteOf(static_cast<std::size_t>(state.range(0)));
+void disorder(floor::Site& site) {
   std::mt19937_64 random{1};
   std::uniform_real_distribution<double> off{-0.02, 0.02};
   for (auto& tile : site.tiles) tile.uids.clear();
   for (auto& p : site.placements) p.origin = p.origin + Offset{Metres{off(random)}, Metres{off(random)}};
+}
+
+// The same where no tile has a UID and each lies a little off the next: faults without end.
+void checkBad(benchmark::State& state) {
+  floor::Site site = siteOf(static_cast<std::size_t>(state.range(0)));
+  disorder(site);
   for (auto _ : state) benchmark::DoNotOptimize(sitecheck::checkSite(site));
 }
 BENCHMARK(checkBad)->Apply(sizes)->Unit(benchmark::kMillisecond);
 
 template <class Edit>
-void again(benchmark::State& state, Edit edit) {
-  const floor::Site site = siteOf(static_cast<std::size_t>(state.range(0)));
+void again(benchmark::State& state, Edit edit, bool bad = false) {
+  floor::Site site = siteOf(static_cast<std::size_t>(state.range(0)));
+  if (bad) disorder(site);
   floor::Site edited = site;
   edit(edited);
   const auto one = kept(site);
@@ -114,9 +119,24 @@ void againUid(benchmark::State& state) {
 void againTile(benchmark::State& state) {
   again(state, [](floor::Site& s) { s.placements[3].origin.x += Metres{0.01}; });
 }
+void againTileBad(benchmark::State& state) {
+  again(
+      state, [](floor::Site& s) { s.placements[3].origin.x += Metres{0.01}; }, true);
+}
+// Ten tiles more, as they are laid: known and not registered yet.
+void againLaid(benchmark::State& state) {
+  again(state, [](floor::Site& s) {
+    for (int n = 0; n < 10; ++n) {
+      s.tiles.push_back({"new " + std::to_string(n), s.tiles.front().type, {}});
+      s.placements.push_back({s.tiles.back().serial, {Metres{0.6 * n}, Metres{-0.6}}, 0});
+    }
+  });
+}
 BENCHMARK(againRoute)->Apply(sizes)->Unit(benchmark::kMillisecond);
 BENCHMARK(againUid)->Apply(sizes)->Unit(benchmark::kMillisecond);
 BENCHMARK(againTile)->Apply(sizes)->Unit(benchmark::kMillisecond);
+BENCHMARK(againTileBad)->Apply(sizes)->Unit(benchmark::kMillisecond);
+BENCHMARK(againLaid)->Apply(sizes)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 

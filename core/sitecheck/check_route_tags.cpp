@@ -41,7 +41,7 @@ private:
     for (const Offset& reader : vehicle_.readers) reach = std::max(reach, length(reader).value());
     const Point ends[] = {start_ + turned({Metres{from}, {}}, heading_), start_ + turned({Metres{to}, {}}, heading_)};
     const Box around = grown(boxAround(ends), Metres{reach} + vehicle_.readerRadius);
-    context_.plan.tree().forEachIn(around, [&](std::size_t i) {
+    context_.plan.finder().forEachIn(around, [&](std::size_t i) {
       const LaidTile& laid = context_.plan.laid()[i];
       const auto& uids = context_.site.tiles[laid.tile].uids;
       const std::size_t tags = std::min(uids.size(), context_.plan.offsetsOf(laid.type).size());
@@ -98,6 +98,21 @@ Box boxOfWay(const Polyline& line, const Sighted& way) {
 }
 
 }  // namespace
+
+bool passesNear(const Context& context, const floor::Route& route, std::span<const Box> places) {
+  constexpr std::size_t many = 256;
+  if (places.size() > many || route.vertices.empty() || !isPlace(boxAround(route.vertices))) return true;
+  Metres reach;
+  for (const floor::VehicleSetup* vehicle : readerRowsOf(context.site))
+    for (const Offset& reader : vehicle->readers) reach = std::max(reach, length(reader) + vehicle->readerRadius);
+  const Polyline line{withoutRepeats(route.vertices, false)};
+  for (std::size_t leg = 0; leg < line.legCount(); ++leg) {
+    const Point ends[] = {line.vertices()[leg], line.vertices()[leg + 1]};
+    const Box around = grown(boxAround(ends), reach + Metres{0.001});
+    if (std::any_of(places.begin(), places.end(), [&](const Box& place) { return meet(around, place); })) return true;
+  }
+  return false;
+}
 
 Faults checkRouteTags(const Context& context, const floor::Route& route) {
   Faults faults;

@@ -50,11 +50,9 @@ void placements(const Context& context, Faults& faults) {
   FaultList twice{faults, FaultKind::TileLaidTwice, Severity::Error, most};
   FaultList unknown{faults, FaultKind::TileUnknown, Severity::Error, most};
   FaultList nowhere{faults, FaultKind::PlaceNoNumber, Severity::Error, most};
-  FirstByName known;
-  known.reserve(context.site.tiles.size());
-  for (const Tile& tile : context.site.tiles) known.try_emplace(tile.serial, 0);
-  FirstByName seen;
-  seen.reserve(context.site.placements.size());
+  // Of known tiles by their number, of others by name.
+  std::vector<std::uint32_t> placed(context.site.tiles.size(), FloorPlan::kNone);
+  FirstByName stray;
   for (std::uint32_t i = 0; i < context.site.placements.size(); ++i) {
     const Placement& p = context.site.placements[i];
     const Box here{p.origin, p.origin};
@@ -70,13 +68,15 @@ void placements(const Context& context, Faults& faults) {
             phrase("Core", "Tile \"%1\" has a place that is no number or farther than 1000 km from the site's origin.")
                 .with(p.serial));
       });
-    if (!known.contains(p.serial))
+    const std::uint32_t tile = context.plan.tileOf(i);
+    if (tile == FloorPlan::kNone)
       unknown.add(shown, [&] {
         return fault(phrase("Core", "Tile \"%1\" is laid, but no such tile is known.").with(p.serial));
       });
-    const auto [first, isNew] = seen.try_emplace(p.serial, i);
-    if (isNew) continue;
-    const Point other = context.site.placements[first->second].origin;
+    std::uint32_t& first = tile == FloorPlan::kNone ? stray.try_emplace(p.serial, i).first->second : placed[tile];
+    if (first == FloorPlan::kNone) first = i;
+    if (first == i) continue;
+    const Point other = context.site.placements[first].origin;
     const Box both = isPlace({other, other}) && isSomewhere ? boxAround(here, {other, other}) : here;
     twice.add(isSomewhere ? std::optional{both} : std::nullopt, [&] {
       return fault(phrase("Core", "Tile \"%1\" is laid twice: at %2 and at %3 m.")

@@ -1,4 +1,5 @@
 // UIDs that stand at two places, and tiles whose tags are not all registered.
+#include <algorithm>
 #include <bit>
 
 #include "floor/laid_tile.h"
@@ -8,14 +9,8 @@
 namespace tessera::sitecheck {
 namespace {
 
-constexpr std::uint32_t kLoose = FloorPlan::kNone;
-
-// Where a UID stands: the tag of a tile, or a loose tag.
-struct Entry {
-  floor::TagUid uid;
-  std::uint32_t tile = kLoose;
-  std::uint32_t position = 0;  ///< in the tile's UIDs, or of the loose tag
-};
+constexpr std::uint32_t kLoose = kGone;
+using Entry = RepeatedUid::End;
 
 std::vector<Entry> allUids(const floor::Site& site) {
   std::vector<Entry> entries;
@@ -80,18 +75,33 @@ private:
 
 }  // namespace
 
+std::vector<RepeatedUid> repeatedUids(const floor::Site& site) {
+  std::vector<RepeatedUid> repeated;
+  forEachRepeated(allUids(site), [&](const Entry& first, const Entry& later) { repeated.push_back({first, later}); });
+  return repeated;
+}
+
+std::vector<std::uint32_t> registeredTags(const floor::Site& site) {
+  std::vector<std::uint32_t> counts;
+  counts.reserve(site.tiles.size());
+  for (const floor::Tile& tile : site.tiles)
+    counts.push_back(static_cast<std::uint32_t>(
+        std::count_if(tile.uids.begin(), tile.uids.end(), [](const floor::TagUid& uid) { return !uid.empty(); })));
+  return counts;
+}
+
 Faults checkUids(const Context& context) {
   Faults faults;
   FaultList errors{faults, FaultKind::UidTwice, Severity::Error, context.options.mostOfAKind};
   FaultList warnings{faults, FaultKind::UidTwice, Severity::Warning, context.options.mostOfAKind};
   const Describer describe{context};
-  forEachRepeated(allUids(context.site), [&](const Entry& first, const Entry& later) {
+  for (const auto& [first, later] : context.repeated) {
     const auto a = describe.placeOf(first);
     const auto b = describe.placeOf(later);
     std::optional<Box> place;
     if (a && b && isPlace(boxAround({*a, *a}, {*b, *b}))) place = boxAround({*a, *a}, {*b, *b});
     // While one of the two tiles is not laid, vehicles are not misled.
-    (a && b ? errors : warnings).add(place, [&] {
+    (a && b ? errors : warnings).add(place, [&, &first = first, &later = later] {
       Fault fault{.sentence = phrase("Core", "Tag %1 is registered twice: as %2 and as %3.")
                                   .with(first.uid.text(), describe.textOf(first), describe.textOf(later)),
                   .objects = {{ObjectKind::Tag, first.uid.text()}},
@@ -100,7 +110,7 @@ Faults checkUids(const Context& context) {
       describe.name(later, fault.objects);
       return fault;
     });
-  });
+  }
   errors.close();
   warnings.close();
   return faults;
@@ -115,8 +125,7 @@ Faults checkRegistration(const Context& context) {
   for (const LaidTile& laid : context.plan.laid()) {
     const floor::Tile& tile = context.site.tiles[laid.tile];
     const std::size_t tags = context.plan.offsetsOf(laid.type).size();
-    const auto registered = static_cast<std::size_t>(
-        std::count_if(tile.uids.begin(), tile.uids.end(), [](const floor::TagUid& uid) { return !uid.empty(); }));
+    const std::size_t registered = context.registered[laid.tile];
     const auto fault = [&](const Sentence& sentence) {
       return Fault{.sentence = sentence, .objects = {{ObjectKind::Tile, tile.serial}}};
     };

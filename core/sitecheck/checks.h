@@ -1,12 +1,29 @@
 // The single checks. Each is a pure function of the parts of a site that its row in site_checker.cpp names.
 #pragma once
 
+#include <span>
+
 #include "sitecheck/fault.h"
 #include "sitecheck/floor_plan.h"
+#include "sitecheck/lattice.h"
 #include "sitecheck/options.h"
 #include "sitecheck/zone_plan.h"
 
 namespace tessera::sitecheck {
+
+/// A UID that stands twice. Each end is the tag of a tile, or a loose tag.
+struct RepeatedUid {
+  struct End {
+    floor::TagUid uid;
+    std::uint32_t tile = kGone;  ///< kGone: a loose tag
+    std::uint32_t position = 0;  ///< in the tile's UIDs, or of the loose tag
+  };
+  End first;
+  End later;
+};
+[[nodiscard]] std::vector<RepeatedUid> repeatedUids(const floor::Site& site);
+/// Of each tile, how many of its tags are registered.
+[[nodiscard]] std::vector<std::uint32_t> registeredTags(const floor::Site& site);
 
 struct Context {
   const floor::Site& site;
@@ -14,6 +31,9 @@ struct Context {
   const FloorPlan& plan;
   const ZonePlan& zones;
   const region::BoxTree& looseTags;  ///< finds indices into the site's loose tags
+  const Lattice& lattice;
+  const std::vector<RepeatedUid>& repeated;
+  const std::vector<std::uint32_t>& registered;
 };
 
 [[nodiscard]] Faults checkTileNames(const Context& context);
@@ -37,5 +57,7 @@ struct Context {
 /// Gives the faults of a route's way the edits that mend them, where trying shows that they do.
 void offerRouteFixes(const Context& context, const floor::Route& route, Faults& faults);
 [[nodiscard]] Faults checkRouteTags(const Context& context, const floor::Route& route);
+/// Whether tags that lie there could be seen from the route by any vehicle, or it is too long to tell.
+[[nodiscard]] bool passesNear(const Context& context, const floor::Route& route, std::span<const Box> places);
 
 }  // namespace tessera::sitecheck

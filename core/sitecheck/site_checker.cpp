@@ -103,8 +103,37 @@ bool operator==(const Verdict& a, const Verdict& b) { return a.faults() == b.fau
 
 std::shared_ptr<const Site> siteOf(const std::shared_ptr<const floor::SiteMap>& map) { return {map, &map->site()}; }
 
-void SiteChecker::renewPlans(unsigned changed, const Site* before) {
-  if (before == nullptr || (changed & kFloor) != 0) plan_ = FloorPlan{*site_, options_.seam};
+namespace {
+
+// Tiles that have come or gone bring and take no registered tag, and the others have those that they had.
+bool sameUids(const Site& before, const Site& now, const Alignment& tiles) {
+  const auto isBare = [](const floor::Tile& tile) {
+    return std::all_of(tile.uids.begin(), tile.uids.end(), [](const floor::TagUid& uid) { return uid.empty(); });
+  };
+  for (std::size_t i = 0; i < now.tiles.size(); ++i)
+    if (tiles.wasAt[i] == kGone ? !isBare(now.tiles[i]) : now.tiles[i].uids != before.tiles[tiles.wasAt[i]].uids)
+      return false;
+  return std::all_of(tiles.gone.begin(), tiles.gone.end(), [&](auto i) { return isBare(before.tiles[i]); });
+}
+
+}  // namespace
+
+Context SiteChecker::context() const {
+  return {*site_, options_, plan_, zones_, looseTags_, lattice_, repeated_, registered_};
+}
+
+void SiteChecker::renewFloor(unsigned changed, const Site* before, std::optional<FloorChange>& some) {
+  if (before != nullptr && (changed & kTypes) == 0) some = plan_.follow(*before, *site_);
+  if (some) {
+    lattice_.follow(plan_, options_, *some);
+    return;
+  }
+  plan_ = FloorPlan{*site_, options_.seam};
+  lattice_ = Lattice{plan_, options_};
+}
+
+unsigned SiteChecker::renewPlans(unsigned changed, const Site* before, std::optional<FloorChange>& some) {
+  if (before == nullptr || (changed & kFloor) != 0) renewFloor(changed, before, some);
   if (before == nullptr || (changed & kZones) != 0) zones_ = ZonePlan{site_->zones};
   if (before == nullptr || (changed & kLooseTags) != 0) {
     std::vector<Box> boxes;
@@ -112,20 +141,36 @@ void SiteChecker::renewPlans(unsigned changed, const Site* before) {
     for (const floor::LooseTag& tag : site_->looseTags) boxes.push_back({tag.place, tag.place});
     looseTags_ = region::BoxTree{boxes};
   }
+  unsigned rest = changed;
+  if (some) {
+    rest &= ~kFloor;
+    if (((changed & kUids) == 0) || sameUids(*before, *site_, some->tiles)) rest &= ~static_cast<unsigned>(kUids);
+  }
+  if (before == nullptr || (changed & (kTiles | kUids)) != 0) registered_ = registeredTags(*site_);
+  if (before == nullptr || (rest & (kTiles | kUids | kLooseTags)) != 0) {
+    repeated_ = repeatedUids(*site_);
+  } else if (some) {
+    for (RepeatedUid& repeated : repeated_)
+      for (RepeatedUid::End* end : {&repeated.first, &repeated.later})
+        if (end->tile != kGone) end->tile = some->tiles.nowAt[end->tile];
+  }
+  return rest;
 }
 
 // An item that was there before, just as it is now, keeps its result wherever in the list it stands.
-template <class Items, class CheckItem>
-void SiteChecker::runPerItem(PerItem& results, const Items* before, const Items& items, bool all, CheckItem check) {
+template <class Items, class IsStale, class CheckItem>
+void SiteChecker::runPerItem(PerItem& results, const Items* before, const Items& items, IsStale isStale,
+                             CheckItem check) {
   PerItem old = std::move(results);
   results.clear();
   std::multimap<std::string_view, std::size_t> byName;
-  if (!all && before != nullptr)
+  if (before != nullptr)
     for (std::size_t i = 0; i < before->size(); ++i) byName.emplace((*before)[i].name, i);
   for (std::size_t i = 0; i < items.size(); ++i) {
     std::shared_ptr<const Faults> found;
+    const bool stale = before == nullptr || isStale(i);
     const auto [first, last] = byName.equal_range(items[i].name);
-    for (auto at = first; at != last && !found; ++at)
+    for (auto at = first; at != last && !stale && !found; ++at)
       if ((*before)[at->second] == items[i]) found = old[at->second];
     if (!found) {
       found = kept(check(i));
@@ -147,8 +192,11 @@ const Verdict& SiteChecker::check(std::shared_ptr<const Site> site) {
   runs_ = 0;
   if (changed == 0) return verdict_;
   const region::Region noGo = zones_.noGo;
-  renewPlans(changed, before.get());
-  const Context context{*site_, options_, plan_, zones_, looseTags_};
+  const region::Region covered = plan_.covered();
+  const bool wasBare = plan_.laid().empty();
+  std::optional<FloorChange> some;
+  const unsigned rest = renewPlans(changed, before.get(), some);
+  const Context context = this->context();
   whole_.resize(kChecks.size());
   for (std::size_t i = 0; i < kChecks.size(); ++i) {
     if (before != nullptr && (kChecks.at(i).reads & changed) == 0) continue;
@@ -157,18 +205,27 @@ const Verdict& SiteChecker::check(std::shared_ptr<const Site> site) {
   }
   const auto* zonesBefore = before ? &before->zones : nullptr;
   const auto* routesBefore = before ? &before->routes : nullptr;
+  const bool isBare = plan_.laid().empty();
   if ((changed & (kGapsRead | kZones)) != 0)
-    runPerItem(gaps_, zonesBefore, site_->zones, (changed & kGapsRead) != 0 || noGo != zones_.noGo,
-               [&](std::size_t i) { return checkGaps(context, i); });
+    runPerItem(
+        gaps_, zonesBefore, site_->zones,
+        [&, all = covered != plan_.covered() || wasBare != isBare || noGo != zones_.noGo](std::size_t) { return all; },
+        [&](std::size_t i) { return checkGaps(context, i); });
   if ((changed & (kWaysRead | kRoutes)) != 0)
-    runPerItem(ways_, routesBefore, site_->routes, (changed & kWaysRead) != 0, [&](std::size_t i) {
-      Faults faults = checkRouteWay(context, site_->routes[i]);
-      offerRouteFixes(context, site_->routes[i], faults);
-      return faults;
-    });
+    runPerItem(
+        ways_, routesBefore, site_->routes, [all = (changed & kWaysRead) != 0](std::size_t) { return all; },
+        [&](std::size_t i) {
+          Faults faults = checkRouteWay(context, site_->routes[i]);
+          offerRouteFixes(context, site_->routes[i], faults);
+          return faults;
+        });
   if ((changed & (kTagsRead | kRoutes)) != 0)
-    runPerItem(tags_, routesBefore, site_->routes, (changed & kTagsRead) != 0,
-               [&](std::size_t i) { return checkRouteTags(context, site_->routes[i]); });
+    runPerItem(
+        tags_, routesBefore, site_->routes,
+        [&, all = (rest & kTagsRead) != 0 || wasBare != isBare](std::size_t i) {
+          return all || (some && passesNear(context, site_->routes[i], some->places));
+        },
+        [&](std::size_t i) { return checkRouteTags(context, site_->routes[i]); });
   verdict_.parts_ = whole_;
   for (const PerItem* items : {&gaps_, &ways_, &tags_})
     verdict_.parts_.insert(verdict_.parts_.end(), items->begin(), items->end());
@@ -177,7 +234,7 @@ const Verdict& SiteChecker::check(std::shared_ptr<const Site> site) {
 
 Faults SiteChecker::tryRoute(const floor::Route& route) const {
   if (site_ == nullptr) return {};
-  const Context context{*site_, options_, plan_, zones_, looseTags_};
+  const Context context = this->context();
   // What is not in the site yet cannot be mended there.
   Faults faults = checkRouteWay(context, route);
   Faults blind = checkRouteTags(context, route);

@@ -44,15 +44,22 @@ public:
 private:
   /// Of one zone or route each.
   using PerItem = std::vector<std::shared_ptr<const Faults>>;
-  void renewPlans(unsigned changed, const floor::Site* before);
-  template <class Items, class Check>
-  void runPerItem(PerItem& results, const Items* before, const Items& items, bool all, Check check);
+  [[nodiscard]] Context context() const;
+  /// What has changed, less what is known to concern only some tiles: those are told apart then.
+  unsigned renewPlans(unsigned changed, const floor::Site* before, std::optional<FloorChange>& some);
+  void renewFloor(unsigned changed, const floor::Site* before, std::optional<FloorChange>& some);
+  /// isStale(i): item i has to be looked at though it is as it was.
+  template <class Items, class IsStale, class Check>
+  void runPerItem(PerItem& results, const Items* before, const Items& items, IsStale isStale, Check check);
 
   CheckOptions options_;
   std::shared_ptr<const floor::Site> site_;
   FloorPlan plan_;
   ZonePlan zones_;
   region::BoxTree looseTags_;
+  Lattice lattice_;
+  std::vector<RepeatedUid> repeated_;
+  std::vector<std::uint32_t> registered_;
   std::vector<std::shared_ptr<const Faults>> whole_;  ///< of the checks that look at all at once
   PerItem gaps_;
   PerItem ways_;
