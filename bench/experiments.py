@@ -13,6 +13,9 @@ import platform
 import statistics
 import subprocess
 import sys
+import tempfile
+
+import floors
 
 
 def cpu_model():
@@ -20,6 +23,16 @@ def cpu_model():
         if line.startswith("model name"):
             return line.split(":", 1)[1].strip()
     return platform.processor() or platform.machine()
+
+
+def run_on_floor(arguments, kind, seed):
+    """A run on a floor that is made for it."""
+    with tempfile.TemporaryDirectory() as folder:
+        words = argparse.Namespace(**vars(arguments))
+        words.site = pathlib.Path(folder) / "floor.tessera.json"
+        words.drive, words.route, words.out = [], floors.ROUTE, arguments.out / f"floor-{kind}"
+        words.extra = [*arguments.extra, *floors.write(floors.load(arguments.site), kind, seed, words.site)]
+        return run(words, arguments.speeds[0], seed)
 
 
 def run(arguments, speed, seed):
@@ -84,6 +97,27 @@ def print_limits(arguments, results):
         print(limits_row(speed, [results[(speed, seed)] for seed in range(1, arguments.seeds + 1)]))
 
 
+DIVERGED = 0.5  # m: with an error of more than this, at any time after its first place, a locator has diverged
+
+
+def print_floors(arguments, results):
+    print("| floor and route | finished | position error mean, cm | worst seed | largest at any time, worst seed |"
+          " cross-track RMS, cm | worst seed | diverged |")
+    print("| --- " * 8 + "|")
+    diverged = 0
+    for kind, (name, _, _) in enumerate(floors.KINDS):
+        good = [r for r in (results[(kind, seed)] for seed in range(1, arguments.seeds + 1)) if "error" not in r]
+        lost = sum(r["position_error_max_m"] > DIVERGED for r in good)
+        diverged += lost
+        figures = [f"{100 * pick(r[figure] for r in good):.2f}" if good else "–"
+                   for figure, pick in (("position_error_mean_m", statistics.fmean), ("position_error_mean_m", max),
+                                        ("position_error_max_m", max), ("cross_track_rms_m", statistics.fmean),
+                                        ("cross_track_rms_m", max))]
+        print(f"| {name} | {sum(r['finished'] for r in good)}/{arguments.seeds} | {' | '.join(figures)} | {lost} |")
+    print(f"\nDiverged (an error above {100 * DIVERGED:.0f} cm at any time after the first place): {diverged} of"
+          f" {len(results)} runs.")
+
+
 def print_table(arguments, results):
     several = len(arguments.drive) > 1
     print("| m/s |" + (" vehicle |" if several else "") + " finished | position error mean, cm | worst seed |"
@@ -117,6 +151,8 @@ def parse():
     parser.add_argument("--out", type=pathlib.Path, default=root / "out/experiments")
     parser.add_argument("--limits", action="store_true",
                         help="the table of limits: off corners and the end, and how honest the locator is")
+    parser.add_argument("--floors", action="store_true",
+                        help="on floors of many kinds, made from --site for each seed; at the first of --speeds")
     parser.add_argument("--baseline", action="store_true", help="runs that do not finish are no failure, only a result")
     parser.add_argument("extra", nargs="*", help="further options of `tessera-cli experiment`, after --")
     arguments = parser.parse_args()
@@ -130,16 +166,19 @@ def parse():
 
 def main():
     arguments = parse()
-    cases = [(speed, seed) for speed in arguments.speeds for seed in range(1, arguments.seeds + 1)]
+    firsts = range(len(floors.KINDS)) if arguments.floors else arguments.speeds
+    cases = [(first, seed) for first in firsts for seed in range(1, arguments.seeds + 1)]
+    drive = run_on_floor if arguments.floors else run
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        results = dict(zip(cases, pool.map(lambda case: run(arguments, *case), cases)))
+        results = dict(zip(cases, pool.map(lambda case: drive(arguments, *case), cases)))
 
     print(f"Machine: {cpu_model()}, {os.cpu_count()} cores; {arguments.jobs} runs side by side; vehicle {arguments.vehicle};"
           f" seeds 1 to {arguments.seeds}; options: {' '.join(arguments.extra) or 'none'}\n")
-    (print_limits if arguments.limits else print_table)(arguments, results)
+    (print_floors if arguments.floors else print_limits if arguments.limits else print_table)(arguments, results)
     missing = [(case, r["error"]) for case, r in results.items() if "error" in r]
     for (speed, seed), error in missing:
-        print(f"The run at {speed:g} m/s with seed {seed} gave no summary: {error}", file=sys.stderr)
+        where = f"on floor {speed + 1}" if arguments.floors else f"at {speed:g} m/s"
+        print(f"The run {where} with seed {seed} gave no summary: {error}", file=sys.stderr)
     troubled = sum(bool(r.get("world_complaints")) for r in results.values())
     if troubled:
         print(f"The machine did not keep step in {troubled} of {len(cases)} runs: this table is worth nothing. Take fewer"

@@ -67,6 +67,8 @@ if [ "$part" != real ]; then
     limits "The first of these with $name" "limit-$name" --speeds 0.12 --baseline -- --lockstep --estimator $name
   done
   limits 'Carried in the middle of the drive, a hundred seeds' limit-carried --speeds 0.12 --seeds 100 --baseline -- --lockstep --carry 20
+  printf '\n== Floors and routes of many kinds\n'
+  table --vehicle native --floors --speeds 0.12 --seeds 20 --baseline --out "$root/out/experiments/floors" -- --lockstep
   printf '\n== Three vehicles on one channel\n'
   three --vehicle native --seeds 5 --out "$root/out/experiments/three" -- --lockstep
 fi

@@ -98,6 +98,7 @@ Metrics evaluate(const Polyline& route, const std::vector<Sample>& samples, Metr
     errors.push_back(distance(s.belief.pose.position, s.truth.pose.position).value());
     heading.add(turnBetween(s.truth.pose.heading, s.belief.pose.heading).value());
     located += s.belief.located ? 1 : 0;
+    if (located > 0) m.positionErrorMax = std::max(m.positionErrorMax, Metres{errors.back()});
     if (const auto one = neesOf(s); one && s.belief.located) nees.push_back(*one);
     const auto p = progress.update(s.truth.pose.position);
     reversals.add(p.along);

@@ -13,6 +13,7 @@ namespace tessera::experiment {
 struct Metrics {
   Metres positionErrorMean;  ///< |estimate - truth|, over every tick under orders
   Metres positionErrorP95;
+  Metres positionErrorMax;  ///< from the first tick on at which it was located
   Radians headingErrorRms;
   Metres crossTrackRms;  ///< true distance from the route, corners included
   Metres crossTrackMax;

@@ -33,6 +33,7 @@ nlohmann::json toJson(const Metrics& m, bool finished) {
           {"duration_s", m.duration.value()},
           {"position_error_mean_m", m.positionErrorMean.value()},
           {"position_error_p95_m", m.positionErrorP95.value()},
+          {"position_error_max_m", m.positionErrorMax.value()},
           {"heading_error_rms_rad", m.headingErrorRms.value()},
           {"cross_track_rms_m", m.crossTrackRms.value()},
           {"cross_track_max_m", m.crossTrackMax.value()},

@@ -8,6 +8,7 @@
 
 #include "floor/site_json.h"
 #include "sim/commission.h"
+#include "sim/random_stream.h"
 #include "sim/site_bounds.h"
 #ifdef TESSERA_WITH_QEMU_HOST
 #include "sim/qemu/qemu_host.h"
@@ -73,6 +74,17 @@ Result<std::vector<floor::VehicleSetup>> chosen(const floor::Site& site, const W
   return found;
 }
 
+/// The floor as it lies: the tags that are dead are not there.
+floor::Site withoutDeadTags(floor::Site site, const WorldOptions& o) {
+  if (!o.deadTags) return site;
+  sim::RandomStream random{o.seed, "dead tags"};
+  for (floor::Tile& tile : site.tiles)
+    for (floor::TagUid& uid : tile.uids)
+      if (random.chance(*o.deadTags)) uid = {};
+  std::erase_if(site.looseTags, [&](const floor::LooseTag&) { return random.chance(*o.deadTags); });
+  return site;
+}
+
 /// Makes one world; the parts that all its vehicles need are worked out once.
 class Maker {
 public:
@@ -80,7 +92,7 @@ public:
 
   Result<MadeWorld> make(Seconds start) {
     applyTo(site_, options_);
-    auto map = floor::SiteMap::build(site_);
+    auto map = floor::SiteMap::build(withoutDeadTags(site_, options_));
     if (!map) return tl::unexpected{map.error()};
     map_ = *map;
     const auto setups = chosen(site_, options_);

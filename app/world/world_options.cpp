@@ -55,6 +55,9 @@ void addWorldConditions(CLI::App& app, WorldOptions& o) {
   app.add_option("--radius", o.radius, "True radius of the readers' discs in metres (default: as the site says)")
       ->group("World")
       ->check(CLI::Range{0.005, 0.5});
+  app.add_option("--dead-tags", o.deadTags, "Share of the site's tags that no reader sees (default 0)")
+      ->group("World")
+      ->check(probability);
   app.add_option("--slip", o.slip, "Mean share of the way that wheels lose at full duty (default 0)")
       ->group("World")
       ->check(CLI::Range{0.0, 0.5});
@@ -138,6 +141,7 @@ std::vector<std::string> worldArguments(const WorldOptions& o) {
   maybe("--read-time", o.readTime);
   maybe("--detection", o.detection);
   maybe("--radius", o.radius);
+  maybe("--dead-tags", o.deadTags);
   maybe("--slip", o.slip);
   maybe("--speed-noise", o.speedNoise);
   maybe("--compass-noise", o.compassNoise);

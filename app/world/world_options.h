@@ -32,6 +32,7 @@ struct WorldOptions {
   std::optional<double> readTime;      ///< s, 0 to 0.2
   std::optional<double> detection;     ///< 0 to 1
   std::optional<double> radius;        ///< m; the vehicle's setup where not given
+  std::optional<double> deadTags;      ///< share of the site's tags that nobody reads, 0 to 1
   std::optional<double> slip;          ///< 0 to 0.5
   std::optional<double> speedNoise;    ///< 0 to 0.5
   std::optional<double> compassNoise;  ///< degrees

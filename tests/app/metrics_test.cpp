@@ -45,6 +45,16 @@ TEST(Metrics, tellPositionErrorCrossTrackAndSpeedOfASteadyRun) {
   EXPECT_EQ(m.reversals, 0);
 }
 
+TEST(Metrics, tellTheLargestPositionErrorFromTheFirstPlaceOn) {
+  auto samples = drive(0, 0.02, steady());
+  samples[0].belief.located = false;
+  samples[0].belief.pose.position.x = Metres{9};
+  EXPECT_NEAR(evaluate(kStraight, samples, MetresPerSecond{0.1}).positionErrorMax.value(), 0.02, 1e-9);
+  samples[50].belief.located = false;
+  samples[50].belief.pose.position.y = Metres{0.3};
+  EXPECT_GT(evaluate(kStraight, samples, MetresPerSecond{0.1}).positionErrorMax.value(), 0.29) << "lost on the way";
+}
+
 TEST(Metrics, countATurnBackOfMoreThanTwoCentimetresOnce) {
   auto xs = steady();
   for (int i = 0; i < 5; ++i) xs.insert(xs.begin() + 100 + i, 0.99 - 0.01 * i);  // back by 5 cm, then a jump ahead
