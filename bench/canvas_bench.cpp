@@ -14,6 +14,7 @@
 #include <random>
 #include <vector>
 
+#include "floor/new_floor.h"
 #include "floor/site_map.h"
 #include "ui/base/site_document.h"
 #include "ui/canvas/floor_canvas.h"
@@ -28,20 +29,11 @@ constexpr int kTagsPerTile = 8;
 
 floor::Site siteOf(int tags, int vehicles) {
   floor::Site site;
-  site.tileTypes.push_back({"60x60",
-                            Metres{0.6},
-                            Metres{0.6},
-                            Metres{0.15},
-                            {Metres{0.075}, Metres{0.075}},
-                            4,
-                            4,
-                            floor::Pattern::OneInTwo,
-                            false,
-                            {}});
+  site.tileTypes = {floor::usualTileTypes()[0]};
   const int tiles = tags / kTagsPerTile;
   const int columns = static_cast<int>(std::ceil(std::sqrt(tiles * 16.0 / 9.0)));
   for (int n = 0; n < tiles; ++n) {
-    floor::Tile tile{"T" + std::to_string(n), "60x60", {}};
+    floor::Tile tile{"T" + std::to_string(n), site.tileTypes.front().name, {}};
     for (std::uint8_t k = 0; k < kTagsPerTile; ++k) {
       const std::array<std::uint8_t, 7> uid{
           4, k, static_cast<std::uint8_t>(n >> 16), static_cast<std::uint8_t>(n >> 8), static_cast<std::uint8_t>(n),

@@ -12,6 +12,7 @@
 #include <ctime>
 #include <functional>
 
+#include "floor/new_floor.h"
 #include "floor/site_json.h"
 #include "store/revision_parts.h"
 #include "store/revisions.h"
@@ -25,18 +26,9 @@ using namespace tessera;
 floor::Site hall(std::size_t tiles) {
   floor::Site site;
   site.name = "hall";
-  site.tileTypes.push_back({"60x60",
-                            Metres{0.6},
-                            Metres{0.6},
-                            Metres{0.15},
-                            {Metres{0.075}, Metres{0.075}},
-                            4,
-                            4,
-                            floor::Pattern::OneInTwo,
-                            false,
-                            {}});
+  site.tileTypes = {floor::usualTileTypes()[0]};
   for (std::size_t i = 0; i < tiles; ++i) {
-    floor::Tile tile{"T-" + std::to_string(i), "60x60", {}};
+    floor::Tile tile{"T-" + std::to_string(i), site.tileTypes.front().name, {}};
     for (std::size_t n = 0; n < 8; ++n) {
       std::array<std::uint8_t, 7> bytes{};
       std::uint64_t number = (8 * i + n + 1) * 0x9E3779B97F4A7C15ULL;

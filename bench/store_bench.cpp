@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "floor/new_floor.h"
 #include "store/journal.h"
 #include "store/site_store.h"
 #include "store/transaction.h"
@@ -19,18 +20,9 @@ using namespace tessera;
 floor::Site siteOf(std::size_t tags) {
   floor::Site site;
   site.name = "bench";
-  site.tileTypes.push_back({"60x60",
-                            Metres{0.6},
-                            Metres{0.6},
-                            Metres{0.15},
-                            {Metres{0.075}, Metres{0.075}},
-                            4,
-                            4,
-                            floor::Pattern::OneInTwo,
-                            false,
-                            {}});
+  site.tileTypes = {floor::usualTileTypes()[0]};
   for (std::size_t i = 0; i < tags / 8; ++i) {
-    floor::Tile tile{"T-" + std::to_string(i), "60x60", {}};
+    floor::Tile tile{"T-" + std::to_string(i), site.tileTypes.front().name, {}};
     for (std::size_t n = 0; n < 8; ++n) {
       std::array<std::uint8_t, 7> bytes{};
       std::uint64_t number = (8 * i + n) * 0x9E3779B97F4A7C15ULL;

@@ -8,9 +8,8 @@
 #include <limits>
 
 #include "locate/counter_random.h"
+#include "locate/filters.h"
 #include "locate/kalman_locator.h"
-#include "locate/paper_floor.h"
-#include "locate/particle_locator.h"
 #include "locate/poll_clock.h"
 #include "locate/synthetic_drive.h"
 
@@ -23,22 +22,6 @@ using locate::ParticleLocator;
 using locate::ParticleOptions;
 using locate::TagLeft;
 using locate::TagRead;
-
-/// As the synthetic drive is: its readers tell at once, and its odometer wanders more than a vehicle's.
-ParticleOptions syntheticOptions() {
-  ParticleOptions options;
-  options.readLag = 0.0;
-  options.scaleLength = 0.12;
-  options.biasPerRootMetre = 0.02;
-  return options;
-}
-
-std::unique_ptr<ParticleLocator> particles(const std::shared_ptr<const floor::SiteMap>& map,
-                                           std::optional<Pose> start = std::nullopt) {
-  floor::VehicleSetup vehicle = paperVehicle();
-  vehicle.start = start;
-  return std::make_unique<ParticleLocator>(map, vehicle, syntheticOptions());
-}
 
 Motion movedTo(double at, double travel) { return {Seconds{at}, Metres{travel}, MetresPerSecond{0.1}, Radians{}}; }
 
@@ -108,49 +91,6 @@ TEST(Particles, learnFromSilence) {
   };
   const Figures deaf = figuresOf({}, [](const auto& map) { return std::make_unique<Deaf>(map); });
   EXPECT_LT(particleFigures({}).mean, 0.9 * deaf.mean);
-}
-
-TEST(Particles, areFoundAgainAfterBeingCarried) {
-  const auto map = paperMap();
-  for (std::uint32_t seed = 1; seed <= 10; ++seed) {
-    DriveOptions options;
-    options.seed = seed;
-    options.carriedAt = 5.0;
-    options.speedNoise = 0.05;
-    const auto locator = particles(map);
-    const auto samples = drive(*map, paperVehicle(), map->route("paper")->vertices, options, *locator);
-    const ErrorSummary last = summarise(samples, samples.back().at - 3.0);
-    EXPECT_LT(last.mean, 0.025) << "seed " << seed;
-    EXPECT_EQ(last.locatedShare, 1.0) << "seed " << seed;
-    EXPECT_GE(locator->counters().reacquisitions, 2U) << "the first one is the start's";
-  }
-}
-
-TEST(Particles, findThemselvesAfterAWrongStart) {
-  const auto map = paperMap();
-  for (const Point wrong :
-       {Point{Metres{0.6}, Metres{0.3}}, Point{Metres{0.3}, Metres{0.7}}, Point{Metres{1.5}, Metres{1.5}}}) {
-    const auto locator = particles(map, Pose{wrong, Radians{kPi / 2}});
-    const auto samples = drive(*map, paperVehicle(), map->route("paper")->vertices, {}, *locator);
-    EXPECT_LT(summarise(samples, 5.0).mean, 0.02) << wrong.x.value() << ", " << wrong.y.value();
-  }
-}
-
-TEST(Particles, areNotLedAstrayByTagsThatLieElsewhereThanTheMapSays) {
-  floor::Site site = paperSite();
-  for (std::size_t i = 0; i + 1 < site.tiles.size(); i += 2)
-    std::swap(site.tiles[i].uids[3], site.tiles[i + 1].uids[5]);
-  const auto wrong = floor::SiteMap::build(site).value();
-  const auto right = paperMap();
-  for (std::uint32_t seed = 1; seed <= 5; ++seed) {
-    DriveOptions options;
-    options.seed = seed;
-    const auto locator = particles(wrong);
-    const ErrorSummary e =
-        summarise(drive(*right, paperVehicle(), right->route("paper")->vertices, options, *locator), 5.0);
-    EXPECT_LT(e.mean, 0.025) << "seed " << seed;
-    EXPECT_GT(locator->counters().rejected, 0U);
-  }
 }
 
 TEST(Particles, bearTagsThatAnswerNobody) {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "locate/paper_floor.h"
+#include "locate/filters.h"
 #include "locate/synthetic_drive.h"
 
 namespace tessera::test {
@@ -16,13 +16,6 @@ namespace {
 using locate::Motion;
 using locate::TagLeft;
 using locate::TagRead;
-
-std::unique_ptr<locate::Locator> kalman(const std::shared_ptr<const floor::SiteMap>& map,
-                                        std::optional<Pose> start = std::nullopt) {
-  floor::VehicleSetup vehicle = paperVehicle();
-  vehicle.start = start;
-  return locate::makeLocator("kalman", map, vehicle).value();
-}
 
 Motion motionAt(double at, double travel, double speed = 0.1) {
   return {Seconds{at}, Metres{travel}, MetresPerSecond{speed}, Radians{}};
@@ -50,50 +43,6 @@ TEST(Robustness, aReadBeforeTheFirstMotionCountsOnceTheHeadingIsKnown) {
   locator->add(motionAt(0.6, 0.0, 0.0));
   locator->add(TagRead{1, map->tags().front().uid, Seconds{0.7}});
   EXPECT_TRUE(locator->at(Seconds{0.7}).located);
-}
-
-TEST(Robustness, findsItselfAgainAfterBeingCarried) {
-  const auto map = paperMap();
-  for (std::uint32_t seed = 1; seed <= 10; ++seed) {
-    DriveOptions options;
-    options.seed = seed;
-    options.carriedAt = 5.0;
-    options.speedNoise = 0.05;
-    const auto locator = kalman(map);
-    const auto samples = drive(*map, paperVehicle(), map->route("paper")->vertices, options, *locator);
-    const double end = samples.back().at;
-    const ErrorSummary last = summarise(samples, end - 3.0);
-    EXPECT_LT(last.mean, 0.025) << "seed " << seed;
-    EXPECT_EQ(last.locatedShare, 1.0) << "seed " << seed;
-    EXPECT_GE(locator->counters().reacquisitions, 2U) << "the first one is the start's";
-  }
-}
-
-TEST(Robustness, findsItselfAfterAWrongStart) {
-  const auto map = paperMap();
-  for (const Point wrong :
-       {Point{Metres{0.6}, Metres{0.3}}, Point{Metres{0.3}, Metres{0.7}}, Point{Metres{1.5}, Metres{1.5}}}) {
-    const auto locator = kalman(map, Pose{wrong, Radians{kPi / 2}});
-    const auto samples = drive(*map, paperVehicle(), map->route("paper")->vertices, {}, *locator);
-    EXPECT_LT(summarise(samples, 5.0).mean, 0.02) << wrong.x.value() << ", " << wrong.y.value();
-  }
-}
-
-TEST(Robustness, isNotLedAstrayByTagsThatLieElsewhereThanTheMapSays) {
-  floor::Site site = paperSite();
-  for (std::size_t i = 0; i + 1 < site.tiles.size(); i += 2)
-    std::swap(site.tiles[i].uids[3], site.tiles[i + 1].uids[5]);
-  const auto wrong = floor::SiteMap::build(site).value();
-  const auto right = paperMap();
-  for (std::uint32_t seed = 1; seed <= 5; ++seed) {
-    DriveOptions options;
-    options.seed = seed;
-    const auto locator = kalman(wrong);
-    const ErrorSummary e =
-        summarise(drive(*right, paperVehicle(), right->route("paper")->vertices, options, *locator), 5.0);
-    EXPECT_LT(e.mean, 0.025) << "seed " << seed;
-    EXPECT_GT(locator->counters().rejected, 0U);
-  }
 }
 
 TEST(Robustness, putsALateReadWhereItBelongs) {

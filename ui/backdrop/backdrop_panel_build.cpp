@@ -12,6 +12,7 @@
 
 #include "floor/picture.h"
 #include "ui/backdrop/backdrop_panel.h"
+#include "ui/base/empty_page.h"
 #include "ui/base/icon.h"
 #include "ui/base/tidy.h"
 
@@ -30,19 +31,11 @@ QLabel* wrappingLabel(const char* name) {
 }  // namespace
 
 QWidget* BackdropPanel::makeEmptyPage() {
-  auto* page = new QWidget;
   emptyText_ = wrappingLabel("backdropEmpty");
-  emptyText_->setAlignment(Qt::AlignCenter);
   choose_ = new QPushButton{icon("plan"), {}};
   choose_->setObjectName("chooseBackdrop");
   connect(choose_, &QPushButton::clicked, this, &BackdropPanel::pictureWanted);
-  auto* layout = new QVBoxLayout{page};
-  layout->addStretch();
-  layout->addWidget(emptyText_);
-  layout->addSpacing(fontMetrics().height() / 2);
-  layout->addWidget(choose_, 0, Qt::AlignCenter);
-  layout->addStretch();
-  return page;
+  return emptyPage(emptyText_, choose_);
 }
 
 QWidget* BackdropPanel::makePicturePage() {

@@ -3,29 +3,12 @@
 #include <QPolygonF>
 
 #include "ui/base/tidy.h"
+#include "ui/canvas/draft_tool.h"
 
 namespace tessera::ui {
 namespace {
 
 constexpr int kFirstPlanNudgeKey = 41'000'000;  // apart from those of other tools
-constexpr Metres kPlanNudge{0.01};
-constexpr Metres kLongPlanNudge{0.10};
-
-std::optional<Offset> planNudge(const QKeyEvent& event) {
-  const Metres step = event.modifiers().testFlag(Qt::ShiftModifier) ? kLongPlanNudge : kPlanNudge;
-  switch (event.key()) {
-    case Qt::Key_Left:
-      return Offset{-step, {}};
-    case Qt::Key_Right:
-      return Offset{step, {}};
-    case Qt::Key_Up:
-      return Offset{{}, step};
-    case Qt::Key_Down:
-      return Offset{{}, -step};
-    default:
-      return std::nullopt;
-  }
-}
 
 }  // namespace
 
@@ -124,7 +107,7 @@ bool BackdropTool::mouseDoubleClicked(const ToolMouse& mouse, const CanvasScene&
 
 bool BackdropTool::keyPressed(QKeyEvent& event, const CanvasScene& /*scene*/) {
   if (scaling_) return event.key() == Qt::Key_Backspace && undo();
-  const auto step = planNudge(event);
+  const auto step = nudgeOf(event);
   if (!step || !seen_ || drag_) return false;
   if (const auto done = edits_.move(seen_->origin + *step, nudges_); !done) Q_EMIT refused(done.error());
   return true;

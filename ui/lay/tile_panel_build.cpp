@@ -15,6 +15,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/base/empty_page.h"
 #include "ui/base/icon.h"
 #include "ui/lay/tile_panel.h"
 
@@ -44,20 +45,11 @@ void TilePanel::makeActions() {
 }
 
 QWidget* TilePanel::makeEmptyPage() {
-  auto* page = new QWidget;
   emptyText_ = new QLabel;
-  emptyText_->setWordWrap(true);
-  emptyText_->setAlignment(Qt::AlignCenter);
   emptyButton_ = new QPushButton{icon("tile"), {}};
   emptyButton_->setObjectName("makeFirstType");
   connect(emptyButton_, &QPushButton::clicked, this, &TilePanel::typesRequested);
-  auto* layout = new QVBoxLayout{page};
-  layout->addStretch();
-  layout->addWidget(emptyText_);
-  layout->addSpacing(fontMetrics().height() / 2);
-  layout->addWidget(emptyButton_, 0, Qt::AlignCenter);
-  layout->addStretch();
-  return page;
+  return emptyPage(emptyText_, emptyButton_);
 }
 
 QWidget* TilePanel::makeMainPage() {

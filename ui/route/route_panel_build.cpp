@@ -12,6 +12,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/base/empty_page.h"
 #include "ui/base/icon.h"
 #include "ui/base/name_list.h"
 #include "ui/base/number_delegate.h"
@@ -55,20 +56,11 @@ void RoutePanel::makeActions() {
 }
 
 QWidget* RoutePanel::makeEmptyPage() {
-  auto* page = new QWidget;
   emptyText_ = new QLabel;
-  emptyText_->setWordWrap(true);
-  emptyText_->setAlignment(Qt::AlignCenter);
   emptyButton_ = new QPushButton{icon("route"), {}};
   emptyButton_->setObjectName("drawFirstRoute");
   connect(emptyButton_, &QPushButton::clicked, this, &RoutePanel::drawRequested);
-  auto* layout = new QVBoxLayout{page};
-  layout->addStretch();
-  layout->addWidget(emptyText_);
-  layout->addSpacing(fontMetrics().height() / 2);
-  layout->addWidget(emptyButton_, 0, Qt::AlignCenter);
-  layout->addStretch();
-  return page;
+  return emptyPage(emptyText_, emptyButton_);
 }
 
 QWidget* RoutePanel::makeListPage() {

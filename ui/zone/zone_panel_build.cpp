@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/base/empty_page.h"
 #include "ui/base/icon.h"
 #include "ui/base/name_list.h"
 #include "ui/base/number_delegate.h"
@@ -50,20 +51,11 @@ void ZonePanel::makeActions() {
 }
 
 QWidget* ZonePanel::makeEmptyPage() {
-  auto* page = new QWidget;
   emptyText_ = new QLabel;
-  emptyText_->setWordWrap(true);
-  emptyText_->setAlignment(Qt::AlignCenter);
   emptyButton_ = new QPushButton{icon("zone"), {}};
   emptyButton_->setObjectName("drawFirstZone");
   connect(emptyButton_, &QPushButton::clicked, this, [this] { Q_EMIT drawRequested(floor::ZoneKind::Running); });
-  auto* layout = new QVBoxLayout{page};
-  layout->addStretch();
-  layout->addWidget(emptyText_);
-  layout->addSpacing(fontMetrics().height() / 2);
-  layout->addWidget(emptyButton_, 0, Qt::AlignCenter);
-  layout->addStretch();
-  return page;
+  return emptyPage(emptyText_, emptyButton_);
 }
 
 QWidget* ZonePanel::makeListPage() {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "floor/new_floor.h"
 #include "floor/site_map.h"
 #include "supervisor/snapshot.h"
 
@@ -15,20 +16,11 @@ namespace tessera::ui {
 inline floor::Site tiledSite(int columns, int rows) {
   floor::Site site;
   site.name = "Tiled";
-  site.tileTypes.push_back({"60x60",
-                            Metres{0.6},
-                            Metres{0.6},
-                            Metres{0.15},
-                            {Metres{0.075}, Metres{0.075}},
-                            4,
-                            4,
-                            floor::Pattern::OneInTwo,
-                            false,
-                            {}});
+  site.tileTypes = {floor::usualTileTypes()[0]};
   std::uint32_t count = 0;
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
-      floor::Tile tile{"T" + std::to_string(count), "60x60", {}};
+      floor::Tile tile{"T" + std::to_string(count), site.tileTypes.front().name, {}};
       for (std::uint8_t n = 0; n < 8; ++n) {
         const std::array<std::uint8_t, 7> uid{4,
                                               n,
