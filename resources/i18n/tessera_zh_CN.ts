@@ -1894,6 +1894,30 @@
         <source>no faster through this bend</source>
         <translation>此弯道内不能更快</translation>
     </message>
+    <message>
+        <source>Tag %1 was read %2 times at %3 m, but its tile &quot;%4&quot; is not laid.</source>
+        <translation>标签 %1 在 %3 m 处被读到 %2 次，但其地板砖“%4”未铺设。</translation>
+    </message>
+    <message>
+        <source>Tag %1 was read %2 times where tag %3 of tile &quot;%4&quot; is not registered: probably it is that.</source>
+        <translation>标签 %1 被读到 %2 次，该处是地板砖“%4”未登记的标签 %3：很可能就是它。</translation>
+    </message>
+    <message>
+        <source>Tag %1, which no tile has, was read %2 times where tag %3 of tile &quot;%4&quot; should be, which was never read: probably the card was exchanged.</source>
+        <translation>不属于任何地板砖的标签 %1 被读到 %2 次，该处应为地板砖“%4”的标签 %3，而后者从未被读到：卡片可能被换过。</translation>
+    </message>
+    <message>
+        <source>Tag %1 was read %2 times at %3 m, but no tile has it.</source>
+        <translation>标签 %1 在 %3 m 处被读到 %2 次，但不属于任何地板砖。</translation>
+    </message>
+    <message>
+        <source>Tag %1 of tile &quot;%2&quot; was never read in %3 passes over it; others are read in %4 % of passes. By chance that is once in %5.</source>
+        <translation>地板砖“%2”的标签 %1 在 %3 次驶过中从未被读到；其他标签在 %4 % 的驶过中被读到。偶然如此的机会是 %5 分之一。</translation>
+    </message>
+    <message>
+        <source>%1 tags of tile &quot;%2&quot; were never read in %3 passes over them; others are read in %4 % of passes. By chance that is once in %5.</source>
+        <translation>地板砖“%2”的 %1 个标签在 %3 次驶过中从未被读到；其他标签在 %4 % 的驶过中被读到。偶然如此的机会是 %5 分之一。</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>
@@ -4231,16 +4255,16 @@ Can be mended: %2.</source>
         <translation>在列表中显示(&amp;L)</translation>
     </message>
     <message>
-        <source>&amp;Room around vehicles:</source>
-        <translation>车辆四周的空间(&amp;R)：</translation>
-    </message>
-    <message>
         <source> m</source>
         <translation> m</translation>
     </message>
     <message>
         <source>On a route a vehicle’s outline, with that much room all around, must not stick out of the zones in which it may be.</source>
         <translation>在路径上，车辆轮廓连同四周这么多的空间，不得超出允许它所在的区域。</translation>
+    </message>
+    <message>
+        <source>Room aro&amp;und vehicles:</source>
+        <translation>车辆四周的空间(&amp;U)：</translation>
     </message>
 </context>
 <context>
@@ -6992,10 +7016,6 @@ x %2 m，y %3 m</translation>
         <translation>显示</translation>
     </message>
     <message>
-        <source>Show the tiles on the floor (Enter)</source>
-        <translation>在地面上显示这些地板砖（Enter）</translation>
-    </message>
-    <message>
         <source>Correct the site</source>
         <translation>更正场地</translation>
     </message>
@@ -7004,12 +7024,24 @@ x %2 m，y %3 m</translation>
         <translation>按地面实际情况修改场地；可以撤销</translation>
     </message>
     <message>
-        <source>Tiles that lie otherwise than the site says</source>
-        <translation>与场地不一致的地板砖</translation>
-    </message>
-    <message>
         <source>Checked tiles</source>
         <translation>已检查的地板砖</translation>
+    </message>
+    <message>
+        <source>The tag that was read is registered there; it can be undone</source>
+        <translation>将读到的标签登记在该处；可以撤销</translation>
+    </message>
+    <message>
+        <source>Have a look at the place: no edit of the site mends this.</source>
+        <translation>请查看该处：编辑场地无法修正此问题。</translation>
+    </message>
+    <message>
+        <source>Show the place on the floor (Enter)</source>
+        <translation>在地面上显示该处（Enter）</translation>
+    </message>
+    <message>
+        <source>Tiles and tags that are otherwise than the site says</source>
+        <translation>与场地不符的地板砖和标签</translation>
     </message>
 </context>
 <context>
@@ -7321,6 +7353,10 @@ x %2 m，y %3 m</translation>
     <message>
         <source>Correct how %1 lies</source>
         <translation>更正 %1 的铺设</translation>
+    </message>
+    <message>
+        <source>Register tag %1 of tile %2</source>
+        <translation>登记地板砖 %2 的标签 %1</translation>
     </message>
 </context>
 <context>

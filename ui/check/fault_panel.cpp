@@ -259,7 +259,7 @@ void FaultPanel::retranslate() {
   show_->setText(tr("&Show"));
   show_->setToolTip(tr("Show the place on the floor (Enter)"));
   mend_->setText(tr("&Mend"));
-  clearanceLabel_->setText(tr("&Room around vehicles:"));
+  clearanceLabel_->setText(tr("Room aro&und vehicles:"));
   clearance_->setSuffix(tr(" m"));
   clearance_->setToolTip(
       tr("On a route a vehicle’s outline, with that much room all around, must not stick out of the zones in which it "

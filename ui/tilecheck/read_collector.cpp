@@ -13,8 +13,12 @@ constexpr Metres kBelieved{2.5};  // further than any wrong tile reaches
 
 }  // namespace
 
-void ReadCollector::take(const supervisor::Snapshot& snapshot, const floor::Site& site) {
-  if (last_ && snapshot.time < *last_) vehicles_.clear();  // another run
+void ReadCollector::take(const supervisor::Snapshot& snapshot, const floor::SiteMap& map) {
+  const floor::Site& site = map.site();
+  if (last_ && snapshot.time < *last_) {  // another run
+    vehicles_.clear();
+    passes_.clear();
+  }
   last_ = snapshot.time;
   for (const supervisor::VehicleView& view : snapshot.vehicles) {
     Vehicle& vehicle = vehicles_[view.id];
@@ -23,13 +27,20 @@ void ReadCollector::take(const supervisor::Snapshot& snapshot, const floor::Site
     for (const supervisor::ReadView& read : view.recentReads) {
       if (vehicle.lastRead && read.at <= *vehicle.lastRead) continue;
       if (setup == site.vehicles.end() || read.reader >= setup->readers.size()) continue;
+      passes_.read(view.id, read.uid, read.at);
       if (const auto pose = poseAt(vehicle.past, read.at)) add({read.uid, placeOf(*pose, setup->readers[read.reader])});
     }
     if (!view.recentReads.empty()) vehicle.lastRead = view.recentReads.back().at;
     // Only now: this pose knows of the reads.
     if (view.located) {
       follow(vehicle, {snapshot.time, view.pose, view.speed});
+      // A place that jumped is not good enough to say that a tag was missed.
+      if (setup != site.vehicles.end() && length(vehicle.aside) == Metres{})
+        passes_.moved(map, *setup, snapshot.time, view.pose);
+      else
+        passes_.lost(view.id);
     } else {
+      passes_.lost(view.id);
       vehicle = Vehicle{{}, {}, {}, {}, vehicle.lastRead};
     }
     while (!vehicle.past.empty() && snapshot.time - vehicle.past.front().at > kPast) vehicle.past.pop_front();
@@ -84,6 +95,7 @@ void ReadCollector::add(const tilecheck::PlacedRead& read) {
 void ReadCollector::clear() {
   reads_.clear();
   ofTag_.clear();
+  passes_.clear();
 }
 
 }  // namespace tessera::ui

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "supervisor/snapshot.h"
-#include "tilecheck/tile_check.h"
+#include "tilecheck/tag_check.h"
 
 namespace tessera::ui {
 
@@ -17,10 +17,14 @@ public:
   static constexpr std::size_t kMostOfATag = 6;
 
   /// Each picture once, in their order.
-  void take(const supervisor::Snapshot& snapshot, const floor::Site& site);
+  void take(const supervisor::Snapshot& snapshot, const floor::SiteMap& map);
   /// Forgets the reads; where the vehicles are is still known.
   void clear();
   [[nodiscard]] const std::vector<tilecheck::PlacedRead>& reads() const { return reads_; }
+  /// How often each tag was passed over and read.
+  [[nodiscard]] std::vector<tilecheck::TagPasses> passes() const {
+    return last_ ? passes_.passes(*last_) : std::vector<tilecheck::TagPasses>{};
+  }
   /// How many were ever taken.
   [[nodiscard]] std::size_t taken() const { return taken_; }
 
@@ -49,6 +53,7 @@ private:
   std::unordered_map<VehicleId, Vehicle> vehicles_;
   std::vector<tilecheck::PlacedRead> reads_;
   std::unordered_map<floor::TagUid, OfTag> ofTag_;
+  tilecheck::PassCounter passes_;
   std::optional<Seconds> last_;
   std::size_t taken_ = 0;
 };

@@ -98,18 +98,19 @@ void TileCheckPanel::refresh() {
                        .arg(progress.suspect)
                        .arg(progress.untouched()));
   // Who has chosen one keeps it while others are found.
-  const int row = list_->currentRow();
-  const auto chosen = row >= 0 && row < static_cast<int>(listed_.size())
-                          ? listed_[static_cast<std::size_t>(row)].serials
-                          : std::vector<std::string>{};
-  listed_ = watch_.suspects();
+  const Found* before = foundAt(list_->currentRow());
+  const std::string chosen = before != nullptr ? subjectOf(*before) : std::string{};
+  listed_.clear();
+  for (const auto& suspect : watch_.suspects()) listed_.emplace_back(suspect);
+  for (const auto& finding : watch_.findings()) listed_.emplace_back(finding);
   const QSignalBlocker quiet{list_};
   while (list_->count() > static_cast<int>(listed_.size())) delete list_->takeItem(list_->count() - 1);
   int now = -1;
   for (int n = 0; n < static_cast<int>(listed_.size()); ++n) {
     if (n == list_->count()) list_->addItem(new QListWidgetItem{icon("warning"), {}});
-    list_->item(n)->setText(text(listed_[static_cast<std::size_t>(n)].sentence));
-    if (listed_[static_cast<std::size_t>(n)].serials == chosen) now = n;
+    const Found& found = *foundAt(n);
+    list_->item(n)->setText(text(sentenceOf(found)));
+    if (subjectOf(found) == chosen) now = n;
   }
   list_->setCurrentRow(now);
   pages_->setCurrentIndex(listed_.empty() ? 0 : 1);
@@ -118,23 +119,50 @@ void TileCheckPanel::refresh() {
 }
 
 void TileCheckPanel::refreshButtons() {
-  const bool chosen = list_->currentRow() >= 0;
-  show_->setEnabled(chosen);
-  mend_->setEnabled(chosen);
+  const Found* found = foundAt(list_->currentRow());
+  const auto* finding = found != nullptr ? std::get_if<tilecheck::TagFinding>(found) : nullptr;
+  show_->setEnabled(found != nullptr);
+  mend_->setEnabled(found != nullptr && (finding == nullptr || finding->fix));
+  mend_->setToolTip(finding == nullptr ? tr("The site gets these tiles as they lie on the floor; it can be undone")
+                    : finding->fix     ? tr("The tag that was read is registered there; it can be undone")
+                                       : tr("Have a look at the place: no edit of the site mends this."));
   reset_->setEnabled(watch_.progress().untouched() < watch_.progress().tiles);
 }
 
 void TileCheckPanel::goTo(int row) {
-  if (row < 0 || row >= static_cast<int>(listed_.size())) return;
-  if (const SiteBox place = watch_.placeOf(listed_[static_cast<std::size_t>(row)]); !place.empty())
-    Q_EMIT placeWanted(place);
+  const Found* found = foundAt(row);
+  if (found == nullptr) return;
+  SiteBox place;
+  if (const auto* finding = std::get_if<tilecheck::TagFinding>(found)) {
+    constexpr Metres around{0.1};
+    place.add(finding->place + Offset{-around, -around});
+    place.add(finding->place + Offset{around, around});
+  } else {
+    place = watch_.placeOf(std::get<tilecheck::TileSuspect>(*found));
+  }
+  if (!place.empty()) Q_EMIT placeWanted(place);
+}
+
+const Sentence& TileCheckPanel::sentenceOf(const Found& found) {
+  return std::visit([](const auto& one) -> const Sentence& { return one.sentence; }, found);
+}
+
+std::string TileCheckPanel::subjectOf(const Found& found) {
+  if (const auto* finding = std::get_if<tilecheck::TagFinding>(&found)) return "tag " + finding->subject;
+  std::string all;
+  for (const std::string& serial : std::get<tilecheck::TileSuspect>(found).serials) all += serial + '\n';
+  return all;
+}
+
+const TileCheckPanel::Found* TileCheckPanel::foundAt(int row) const {
+  return row < 0 || row >= static_cast<int>(listed_.size()) ? nullptr : &listed_[static_cast<std::size_t>(row)];
 }
 
 void TileCheckPanel::mend() {
-  const int row = list_->currentRow();
-  if (row < 0 || row >= static_cast<int>(listed_.size())) return;
-  const tilecheck::TileSuspect suspect = listed_[static_cast<std::size_t>(row)];
-  if (const auto done = watch_.mend(suspect); !done) Q_EMIT refused(text(done.error().sentence));
+  if (!mend_->isEnabled() || foundAt(list_->currentRow()) == nullptr) return;
+  const Found found = *foundAt(list_->currentRow());  // the list is another as soon as it is done
+  const auto done = std::visit([this](const auto& one) { return watch_.mend(one); }, found);
+  if (!done) Q_EMIT refused(text(done.error().sentence));
 }
 
 void TileCheckPanel::retranslate() {
@@ -142,10 +170,9 @@ void TileCheckPanel::retranslate() {
   reset_->setText(tr("Begin anew"));
   reset_->setToolTip(tr("Forget what was read so far"));
   show_->setText(tr("Show"));
-  show_->setToolTip(tr("Show the tiles on the floor (Enter)"));
+  show_->setToolTip(tr("Show the place on the floor (Enter)"));
   mend_->setText(tr("Correct the site"));
-  mend_->setToolTip(tr("The site gets these tiles as they lie on the floor; it can be undone"));
-  list_->setAccessibleName(tr("Tiles that lie otherwise than the site says"));
+  list_->setAccessibleName(tr("Tiles and tags that are otherwise than the site says"));
   bar_->setAccessibleName(tr("Checked tiles"));
 }
 

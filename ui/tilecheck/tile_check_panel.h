@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QWidget>
+#include <variant>
 
 #include "ui/tilecheck/tile_watch.h"
 
@@ -48,7 +49,13 @@ private:
   QListWidget* list_;
   QPushButton* show_;
   QPushButton* mend_;
-  std::vector<tilecheck::TileSuspect> listed_;
+  // A row of the list: tiles that lie otherwise first.
+  using Found = std::variant<tilecheck::TileSuspect, tilecheck::TagFinding>;
+  [[nodiscard]] static const Sentence& sentenceOf(const Found& found);
+  /// By which it is known again when more was read.
+  [[nodiscard]] static std::string subjectOf(const Found& found);
+  [[nodiscard]] const Found* foundAt(int row) const;
+  std::vector<Found> listed_;
   bool live_ = false;  ///< a supervision runs
 };
 

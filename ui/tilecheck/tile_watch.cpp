@@ -54,7 +54,7 @@ void TileWatch::takeSnapshot() {
   const auto snapshot = fleet_.latest();
   if (!running_ || !snapshot) return;
   const std::size_t before = collector_.taken();
-  collector_.take(*snapshot, document_.site());
+  collector_.take(*snapshot, *document_.map());
   if (collector_.taken() != before) soon();
 }
 
@@ -72,6 +72,7 @@ void TileWatch::check() {
   clock.start();
   checked_ = document_.map();
   result_ = tilecheck::checkFloor(checked_->site(), collector_.reads());
+  findings_ = tilecheck::checkTags(checked_->site(), collector_.reads(), collector_.passes(), result_);
   progress_ = {};
   progress_.tiles = static_cast<int>(result_.states.size());
   for (const tilecheck::TileState state : result_.states) {
@@ -118,9 +119,19 @@ SiteBox TileWatch::placeOf(const tilecheck::TileSuspect& suspect) const {
 Result<void> TileWatch::mend(const tilecheck::TileSuspect& suspect) {
   QStringList serials;
   for (const std::string& serial : suspect.serials) serials << QString::fromStdString(serial);
+  return apply(tr("Correct how %1 lies").arg(serials.join(QStringLiteral(", "))),
+               [&](floor::Site& site) { return tilecheck::relay(suspect.fix, site); });
+}
+
+Result<void> TileWatch::mend(const tilecheck::TagFinding& finding) {
+  const tilecheck::PutUid fix = *finding.fix;
+  return apply(tr("Register tag %1 of tile %2").arg(fix.position + 1).arg(QString::fromStdString(fix.serial)),
+               [&](floor::Site& site) { return tilecheck::put(fix, site); });
+}
+
+Result<void> TileWatch::apply(const QString& name, const std::function<bool(floor::Site&)>& edit) {
   bool fits = false;
-  const auto done = document_.edit(tr("Correct how %1 lies").arg(serials.join(QStringLiteral(", "))),
-                                   [&](floor::Site& site) { fits = tilecheck::relay(suspect.fix, site); });
+  const auto done = document_.edit(name, [&](floor::Site& site) { fits = edit(site); });
   if (!done) return done;
   if (!fits) return failure(phrase("Core", "The site was edited meanwhile: nothing was changed."));
   check();

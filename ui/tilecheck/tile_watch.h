@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <functional>
 
 #include "ui/base/fleet_link.h"
 #include "ui/base/site_document.h"
@@ -35,12 +36,16 @@ public:
 
   [[nodiscard]] const Progress& progress() const { return progress_; }
   [[nodiscard]] const std::vector<tilecheck::TileSuspect>& suspects() const { return result_.suspects; }
+  /// Tags that are others than the site says.
+  [[nodiscard]] const std::vector<tilecheck::TagFinding>& findings() const { return findings_; }
   /// Of the tiles that were driven over.
   [[nodiscard]] std::vector<TileMark> marks() const;
   /// Where the suspect's tiles lie by the site; empty: one of them does not lie any more.
   [[nodiscard]] SiteBox placeOf(const tilecheck::TileSuspect& suspect) const;
   /// The tiles come to lie where they were read, as one step. Error: the site was edited meanwhile; nothing changed.
   Result<void> mend(const tilecheck::TileSuspect& suspect);
+  /// The tag that was read comes to stand at its place. Requires a fix.
+  Result<void> mend(const tilecheck::TagFinding& finding);
 
 Q_SIGNALS:
   void changed();
@@ -50,6 +55,7 @@ private:
   void documentChanged();
   void soon();
   void check();
+  Result<void> apply(const QString& name, const std::function<bool(floor::Site&)>& edit);
 
   SiteDocument& document_;
   FleetLink& fleet_;
@@ -57,6 +63,7 @@ private:
   bool running_ = false;
   std::shared_ptr<const floor::SiteMap> checked_;
   tilecheck::TileCheckResult result_;
+  std::vector<tilecheck::TagFinding> findings_;
   Progress progress_;
   QTimer soon_;
 };

@@ -10,7 +10,8 @@ namespace {
 
 class Collecting : public testing::Test {
 protected:
-  floor::Site site = tiledSite(2, 2);
+  const std::shared_ptr<const floor::SiteMap> map = tiledMap(2, 2);
+  const floor::Site& site = map->site();
   ReadCollector collector;
   supervisor::VehicleView vehicle;
   Collecting() {
@@ -23,7 +24,7 @@ protected:
     supervisor::Snapshot snapshot;
     snapshot.time = Seconds{time};
     snapshot.vehicles = {vehicle};
-    collector.take(snapshot, site);
+    collector.take(snapshot, *map);
   }
   void read(double at, std::uint8_t reader = 0) {
     vehicle.recentReads.push_back({site.tiles[0].uids[0], reader, Seconds{at}, std::nullopt});

@@ -131,6 +131,38 @@ TEST_F(DriveOver, namesTwoThatWereSwappedAndCorrectsTheSiteInOneStep) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return list->count() == 1; })) << "and is named again";
 }
 
+TEST_F(DriveOver, putsInATagThatWasExchangedAndSaysWhereNothingCanBeDone) {
+  const floor::Site before = document.site();
+  floor::Site real = before;
+  real.tiles[4].uids[3] = floor::TagUid::parse("EE010203").value();
+  click("runTileCheck");
+  for (int n = 0; n < 3; ++n) drive(real, {"T4", "T5"});
+  auto* list = find<QListWidget>("suspectList");
+  ASSERT_EQ(list->count(), 1);
+  EXPECT_EQ(list->item(0)->text(),
+            "Tag EE010203, which no tile has, was read 3 times where tag 4 of tile \"T4\" should be, which was never "
+            "read: probably the card was exchanged.");
+  QSignalSpy wanted{&panel, &TileCheckPanel::placeWanted};
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
+  EXPECT_EQ(wanted.count(), 1);
+  click("mendSuspect");
+  EXPECT_EQ(document.site(), real);
+  EXPECT_EQ(document.undoStack().undoText(), "Register tag 4 of tile T4");
+  EXPECT_EQ(list->count(), 0);
+  document.undoStack().undo();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return list->count() == 1; }));
+  real = before;  // and a tag where no tile is
+  real.tiles.push_back({"far", real.tiles[0].type, {floor::TagUid::parse("EE010204").value()}});
+  real.placements.push_back({"far", {Metres{-3.0}, Metres{-3.0}}, 0});
+  click("resetTileCheck");
+  for (int n = 0; n < 2; ++n) drive(real, {"far"});
+  ASSERT_EQ(list->count(), 1);
+  EXPECT_TRUE(list->item(0)->text().endsWith("but no tile has it.")) << list->item(0)->text().toStdString();
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
+  EXPECT_FALSE(find<QPushButton>("mendSuspect")->isEnabled());
+  EXPECT_TRUE(find<QPushButton>("showSuspect")->isEnabled());
+}
+
 TEST_F(DriveOver, refusesToCorrectWhatWasEditedMeanwhile) {
   const floor::Site real = swapped(document.site(), 1, 10);
   click("runTileCheck");
