@@ -57,6 +57,11 @@ if [ "$part" != real ]; then
   table --vehicle native --seeds 20 --baseline --out "$root/out/experiments/tag-centre" -- --lockstep --estimator tag-centre
   limits() { title=$1 folder=$2; shift 2; printf '\n== %s\n' "$title"; table --vehicle native --seeds 20 --limits --out "$root/out/experiments/$folder" "$@"; }
   limits 'Limits: 12 cm/s, polls at 10 Hz, air at 19.2 kbit/s' limit-fast --speeds 0.12 -- --lockstep
+  for air in '' '--air 2400 --air-factor 1' '--air 2400 --air-factor 1 --compass-spots 0'; do
+    # shellcheck disable=SC2086  # the options are words of their own
+    limits "A hundred seeds, ${air:-air at 19.2 kbit/s}" limit-hundred --speeds 0.12 --seeds 100 -- --lockstep $air
+    python3 "$root/bench/split_errors.py" "$root/resources/sites/paper.tessera.json" "$root/out/experiments/limit-hundred" || failed=1
+  done
   limits 'The same, compass noise 2 degrees, speed noise 5 %' limit-noise-5 --speeds 0.12 -- --lockstep --compass-noise 2 --speed-noise 0.05
   limits 'The same, speed noise 10 %' limit-noise-10 --speeds 0.12 -- --lockstep --compass-noise 2 --speed-noise 0.1
   limits 'Polled every 0.2 s, air at 2.4 kbit/s, k = 1' limit-slow --speeds 0.12 -- --lockstep --air 2400 --air-factor 1 --poll 0.2
