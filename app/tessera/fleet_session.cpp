@@ -62,8 +62,20 @@ bool FleetSession::post(supervisor::Order order) {
   return thread_ && thread_->post(std::move(order));
 }
 
+bool FleetSession::refuses(const floor::SiteMap& map) {
+  if (map.contradictions().empty()) return false;
+  next_.reset();
+  editing_.stop();
+  beginEnd();
+  Q_EMIT failed(
+      tr("No vehicle is supervised with a site that contradicts itself: %1 Mend it first, in the panel Faults.")
+          .arg(ui::text(map.contradictions().front().sentence)));
+  return true;
+}
+
 void FleetSession::connectTo(const ui::ConnectionChoice& choice, std::shared_ptr<const floor::SiteMap> map) {
   map_ = std::move(map);
+  if (refuses(*map_)) return;
   if (state_ != State::Off) {
     next_ = choice;
     beginEnd();
@@ -119,7 +131,7 @@ QStringList FleetSession::unconfirmed(bool stood) const {
 void FleetSession::useSite(std::shared_ptr<const floor::SiteMap> map) {
   const bool same = map_ && goesOnWith(map->site());
   map_ = std::move(map);
-  if (state_ != State::Live && state_ != State::Starting) return;
+  if (state_ == State::Off || state_ == State::Stopping || refuses(*map_) || state_ == State::Resting) return;
   if (!same) {
     outdated_ = true;
     connectTo(*choice_, map_);

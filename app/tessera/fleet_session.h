@@ -43,13 +43,14 @@ public:
 
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] const std::optional<ui::ConnectionChoice>& choice() const { return choice_; }
-  /// Ends what runs, then supervises the site's vehicles. Options of the simulated world go to Kind::Demo alone.
+  /// Ends what runs, then supervises the site's vehicles; with a site that contradicts itself none, which is told.
   void connectTo(const ui::ConnectionChoice& choice, std::shared_ptr<const floor::SiteMap> map);
   /// The vehicles stop, then the port closes and the state is Off.
   void disconnectGently();
   /// The same at once, in some seconds at most. Names of the vehicles that have not confirmed that they stand.
   QStringList close();
   /// The site was edited: a running supervision goes on with it, or begins anew where vehicles or radio differ.
+  /// If it contradicts itself now, the vehicles stop.
   void useSite(std::shared_ptr<const floor::SiteMap> map);
 
   /// Lets the port go for a while, the vehicles stopped, and says which it is; nullopt: there was none.
@@ -82,6 +83,7 @@ private:
   void setState(State state);
   void startWorld();
   void supervise(const host::PortChoice& port);
+  [[nodiscard]] bool refuses(const floor::SiteMap& map);
   void beginEnd();
   void endThread();
   void finish();

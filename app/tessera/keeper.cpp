@@ -90,7 +90,7 @@ std::shared_ptr<const floor::SiteMap> Keeper::unsaved(const QString& path) {
   if (!kept || !*kept || !(*kept)->differsFromFile) return nullptr;
   auto site = sites.load(key);
   if (!site || !*site) return nullptr;
-  const auto map = floor::SiteMap::build(std::move(**site));
+  const auto map = floor::SiteMap::build(std::move(**site), floor::Ambiguity::Carried);
   return map ? *map : nullptr;
 }
 
@@ -114,7 +114,7 @@ std::vector<Keeper::Homeless> Keeper::homeless() {
     if (!site.differsFromFile || !site.file().empty() || site.key == key_ || lock_.holderOf(site.key)) continue;
     auto loaded = sites.load(site.key);
     if (!loaded || !*loaded) continue;
-    if (const auto map = floor::SiteMap::build(std::move(**loaded)))
+    if (const auto map = floor::SiteMap::build(std::move(**loaded), floor::Ambiguity::Carried))
       found.push_back({site.key, QDateTime::fromMSecsSinceEpoch(site.savedUtcMs), *map});
   }
   return found;

@@ -24,7 +24,8 @@ Result<std::shared_ptr<const floor::SiteMap>> mapFrom(const QString& path) {
   const WaitCursor wait;
   auto site = floor::loadSite(path.toStdString());
   if (!site) return tl::unexpected{site.error()};
-  return floor::SiteMap::build(*std::move(site));
+  // What contradicts itself is mended in the window.
+  return floor::SiteMap::build(*std::move(site), floor::Ambiguity::Carried);
 }
 
 }  // namespace
@@ -106,7 +107,19 @@ bool SiteFiles::read(const QString& path) {
   else if (unsaved)
     Q_EMIT givenUp(path);
   Q_EMIT opened();
+  tellContradictions();
   return true;
+}
+
+void SiteFiles::tellContradictions() {
+  const floor::Contradictions& all = document_.map()->contradictions();
+  if (all.empty() || unattended_) return;
+  const QString first = ui::text(all.front().sentence);
+  const auto more = static_cast<int>(all.size()) - 1;
+  tell(tr("The site contradicts itself"),
+       tr("%1 It was opened so that it can be mended: the panel Faults lists what is wrong. Until then no vehicle is "
+          "supervised with it.")
+           .arg(more == 0 ? first : tr("%1 And %n more.", nullptr, more).arg(first)));
 }
 
 bool SiteFiles::mayShare(const QString& path, qint64 process) {
@@ -149,6 +162,7 @@ bool SiteFiles::openHomeless() {
         document_.markUnsaved();
         Q_EMIT takenUp(kept.key);
         Q_EMIT opened();
+        tellContradictions();
         return true;
       case Recovery::Forget:
         Q_EMIT forgotten(kept.key);

@@ -20,7 +20,8 @@ class SiteFiles : public QObject {
 public:
   SiteFiles(ui::SiteDocument& document, Settings& settings, QWidget& window);
 
-  /// False: it could not be read, which has been told, or the person wants to stay with what is open.
+  /// A site that contradicts itself is opened as well, to be mended. False: it could not be read, which has been told,
+  /// or the person wants to stay with what is open.
   bool open(const QString& path);
   bool openAsking();
   bool openDemo();
@@ -76,6 +77,7 @@ private:
   [[nodiscard]] Recovery ask(const char* name, const QString& title, const QString& question, const QString& takeUp,
                              const QString& forget);
   [[nodiscard]] QWidget* above() const;
+  void tellContradictions();
   void tell(const QString& title, const QString& sentence);
 
   ui::SiteDocument& document_;

@@ -4,6 +4,7 @@
 #include <QToolButton>
 
 #include "app/tessera/main_window.h"
+#include "app/tessera/site_files.h"
 #include "app/tessera/window_actions.h"
 #include "app/tessera/window_panels.h"
 #include "ui/base/icon.h"
@@ -21,6 +22,9 @@ void MainWindow::joinFaults() {
   };
   connect(actions_->showFaults, &QAction::triggered, this, reveal);
   connect(faults_, &QToolButton::clicked, this, reveal);
+  connect(files_, &SiteFiles::opened, this, [this, reveal] {
+    if (!document_.map()->contradictions().empty()) reveal();
+  });
   connect(panels_->faults, &ui::FaultPanel::changed, this, &MainWindow::showFaults);
   connect(panels_->faults, &ui::FaultPanel::refused, this, &MainWindow::tell);
   connect(panels_->faults, &ui::FaultPanel::placeWanted, this, [this](const ui::SiteBox& place) {

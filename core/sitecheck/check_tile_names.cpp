@@ -11,6 +11,8 @@ namespace {
 
 using floor::Placement;
 using floor::Tile;
+constexpr std::size_t kLongestSerial = 200;  // as a site file allows
+
 using FirstByName = std::unordered_map<std::string_view, std::uint32_t>;
 
 std::optional<Box> boxOfTile(const Context& context, std::size_t tile) {
@@ -21,11 +23,19 @@ std::optional<Box> boxOfTile(const Context& context, std::size_t tile) {
 void tileTypes(const Context& context, Faults& faults) {
   FaultList twice{faults, FaultKind::TileTypeTwice, Severity::Error, context.options.mostOfAKind};
   FirstByName seen;
-  for (const floor::TileType& type : context.site.tileTypes) {
-    if (seen.try_emplace(type.name, 0).second) continue;
-    twice.add({}, [&] {
-      return Fault{.sentence = phrase("Core", "Two tile types are called \"%1\".").with(type.name),
-                   .objects = {{ObjectKind::TileType, type.name}}};
+  const auto& types = context.site.tileTypes;
+  for (std::uint32_t i = 0; i < types.size(); ++i) {
+    const floor::TileType& type = types[i];
+    const auto [first, isNew] = seen.try_emplace(type.name, i);
+    if (isNew) continue;
+    twice.add({}, [&, same = types[first->second] == type] {
+      Fault fault{.sentence = phrase("Core", "Two tile types are called \"%1\".").with(type.name),
+                  .objects = {{ObjectKind::TileType, type.name}}};
+      if (same)
+        fault.fix =
+            Fix{phrase("Core", "Forget the second entry of tile type \"%1\", which is the same").with(type.name),
+                ForgetTileType{type}};
+      return fault;
     });
   }
   twice.close();
@@ -93,6 +103,16 @@ void placements(const Context& context, Faults& faults) {
 Faults checkTwins(const Context& context) {
   Faults faults;
   FaultList twice{faults, FaultKind::TileTwice, Severity::Error, context.options.mostOfAKind};
+  FirstByName taken;
+  if (!context.plan.twins().empty()) {
+    for (const Tile& tile : context.site.tiles) taken.try_emplace(tile.serial, 0);
+    // What is laid by that name would come to lie there.
+    for (const Placement& p : context.site.placements) taken.try_emplace(p.serial, 0);
+  }
+  const auto freeSerial = [&taken](const std::string& serial) {
+    for (int n = 2;; ++n)
+      if (std::string other = serial + "-" + std::to_string(n); !taken.contains(other)) return other;
+  };
   for (const auto& [first, later] : context.plan.twins()) {
     const Tile& tile = context.site.tiles[later];
     twice.add(boxOfTile(context, first), [&, same = context.site.tiles[first] == tile] {
@@ -101,6 +121,9 @@ Faults checkTwins(const Context& context) {
       if (same)
         fault.fix = Fix{phrase("Core", "Forget the second entry of tile \"%1\", which is the same").with(tile.serial),
                         ForgetTile{tile}};
+      else if (const std::string other = freeSerial(tile.serial); other.size() <= kLongestSerial)
+        fault.fix = Fix{phrase("Core", "Call the second tile \"%1\" \"%2\" instead").with(tile.serial, other),
+                        RenameTile{tile, other}};
       return fault;
     });
   }

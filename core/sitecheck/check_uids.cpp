@@ -131,8 +131,11 @@ Faults checkRegistration(const Context& context) {
     };
     if (tile.uids.size() > tags)
       many.add(laid.box, [&] {
-        return fault(phrase("Core", "Tile \"%1\" has %2 UIDs, but its type \"%3\" has only %4 tags.")
-                         .with(tile.serial, tile.uids.size(), tile.type, tags));
+        Fault told = fault(phrase("Core", "Tile \"%1\" has %2 UIDs, but its type \"%3\" has only %4 tags.")
+                               .with(tile.serial, tile.uids.size(), tile.type, tags));
+        told.fix = Fix{phrase("Core", "Drop the UIDs of tile \"%1\" beyond its %2 tags").with(tile.serial, tags),
+                       DropUids{tile, tags}};
+        return told;
       });
     else if (registered == 0 && tags > 0)
       none.add(laid.box,

@@ -34,6 +34,25 @@ struct Applier {
   bool operator()(const ForgetTile& e) const {
     return std::count(site.tiles.begin(), site.tiles.end(), e.tile) > 1 && eraseLast(site.tiles, e.tile);
   }
+  bool operator()(const RenameTile& e) const {
+    const auto called = [&](const std::string& serial) {
+      return std::count_if(site.tiles.begin(), site.tiles.end(),
+                           [&](const floor::Tile& t) { return t.serial == serial; });
+    };
+    floor::Tile* tile = lastWhere(site.tiles, [&](const floor::Tile& t) { return t == e.tile; });
+    if (tile == nullptr || called(e.tile.serial) < 2 || called(e.serial) > 0) return false;
+    tile->serial = e.serial;
+    return true;
+  }
+  bool operator()(const DropUids& e) const {
+    floor::Tile* tile = lastWhere(site.tiles, [&](const floor::Tile& t) { return t == e.tile; });
+    if (tile == nullptr || e.keep >= tile->uids.size()) return false;
+    tile->uids.resize(e.keep);
+    return true;
+  }
+  bool operator()(const ForgetTileType& e) const {
+    return std::count(site.tileTypes.begin(), site.tileTypes.end(), e.type) > 1 && eraseLast(site.tileTypes, e.type);
+  }
   bool operator()(const ClearUid& e) const {
     floor::Tile* tile = lastWhere(site.tiles, [&](const floor::Tile& t) {
       return t.serial == e.serial && e.position < t.uids.size() && t.uids[e.position] == e.uid;

@@ -26,6 +26,23 @@ struct ForgetTile {
   floor::Tile tile;
   bool operator==(const ForgetTile&) const = default;
 };
+/// The second of two tiles of one serial number gets another. The first is laid where that serial number is.
+struct RenameTile {
+  floor::Tile tile;
+  std::string serial;
+  bool operator==(const RenameTile&) const = default;
+};
+/// UIDs beyond the tags that the tile's type has.
+struct DropUids {
+  floor::Tile tile;
+  std::size_t keep = 0;
+  bool operator==(const DropUids&) const = default;
+};
+/// The second entry of a tile type that is listed twice, both alike.
+struct ForgetTileType {
+  floor::TileType type;
+  bool operator==(const ForgetTileType&) const = default;
+};
 struct ClearUid {
   std::string serial;
   std::size_t position = 0;  ///< in the tile's UIDs, from 0
@@ -78,8 +95,9 @@ struct GiveAddress {
   bool operator==(const GiveAddress&) const = default;
 };
 
-using Edit = std::variant<MoveTile, TakeTileUp, ForgetTile, ClearUid, ForgetLooseTag, ReplaceOutline, ReplaceVertices,
-                          SetLegSpeed, SetLegSpeeds, MoveVertices, ReverseRoute, GiveAddress>;
+using Edit =
+    std::variant<MoveTile, TakeTileUp, ForgetTile, RenameTile, DropUids, ForgetTileType, ClearUid, ForgetLooseTag,
+                 ReplaceOutline, ReplaceVertices, SetLegSpeed, SetLegSpeeds, MoveVertices, ReverseRoute, GiveAddress>;
 
 struct Fix {
   Sentence sentence;  ///< an order: "Move tile "T-1" to (0.6, 1.2) m"

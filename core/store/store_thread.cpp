@@ -21,6 +21,11 @@ struct Overloaded : Cases... {
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
+// A site that contradicts itself is kept while it is being mended, too.
+Result<std::shared_ptr<const floor::SiteMap>> carried(floor::Site site) {
+  return floor::SiteMap::build(std::move(site), floor::Ambiguity::Carried);
+}
+
 }  // namespace
 
 // What lives on the storage thread.
@@ -127,7 +132,7 @@ private:
                      auto site = SiteStore{*database_}.load(what.key);
                      if (!site) return refuse(site.error());
                      if (!*site) return Q_EMIT owner_.siteLoaded(request.id, nullptr);
-                     auto map = floor::SiteMap::build(std::move(**site));
+                     auto map = carried(std::move(**site));
                      if (!map) return refuse(map.error());
                      Q_EMIT owner_.siteLoaded(request.id, *map);
                    },
@@ -142,7 +147,7 @@ private:
                      Q_EMIT owner_.revisionsListed(request.id, *revisions);
                    },
                    [&](const LoadRevision& what) {
-                     auto map = Revisions{*database_}.load(what.id).and_then(&floor::SiteMap::build);
+                     auto map = Revisions{*database_}.load(what.id).and_then(carried);
                      if (!map) return refuse(map.error());
                      Q_EMIT owner_.revisionLoaded(request.id, *map);
                    },

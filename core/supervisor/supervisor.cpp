@@ -45,6 +45,7 @@ Supervisor& Supervisor::operator=(Supervisor&&) noexcept = default;
 Supervisor::~Supervisor() = default;
 
 Result<Supervisor> Supervisor::create(std::shared_ptr<const floor::SiteMap> map, Config config) {
+  if (!map->contradictions().empty()) return failure(map->contradictions().front().sentence);
   const floor::Site& site = map->site();
   if (config.vehicles.empty())
     for (const floor::VehicleSetup& v : site.vehicles) config.vehicles.push_back(v.id);
@@ -187,6 +188,10 @@ void Supervisor::Impl::carryOut(const Order& order) {
 }
 
 void Supervisor::Impl::useSite(const UseSite& order) {
+  if (order.map && !order.map->contradictions().empty()) {
+    log.tell(Severity::Warning, EventKind::OrderRefused, std::nullopt, order.map->contradictions().front().sentence);
+    return;
+  }
   // A vehicle that was paired meanwhile may stand in the site with its new key.
   std::vector<floor::VehicleSetup> before = site->site().vehicles;
   for (floor::VehicleSetup& was : before) {

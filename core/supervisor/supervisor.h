@@ -40,7 +40,7 @@ struct TickOutput {
 
 class Supervisor {
 public:
-  /// Error: an unknown locator or controller, or a vehicle that the site does not have.
+  /// Error: a site that contradicts itself, an unknown locator or controller, or a vehicle that the site does not have.
   [[nodiscard]] static Result<Supervisor> create(std::shared_ptr<const floor::SiteMap> map, Config config);
   Supervisor(Supervisor&&) noexcept;
   Supervisor& operator=(Supervisor&&) noexcept;

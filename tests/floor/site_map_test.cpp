@@ -111,11 +111,94 @@ TEST(SiteMap, refusesWhatIsAmbiguous) {
   EXPECT_THAT(refusal(site), HasSubstr("Two vehicles"));
 }
 
+std::vector<std::string> carriedContradictions(const Site& site) {
+  std::vector<std::string> all;
+  const auto map = *SiteMap::build(site, Ambiguity::Carried);
+  for (const Contradiction& c : map->contradictions()) all.push_back(c.sentence.english());
+  return all;
+}
+
+TEST(SiteMap, carriesWhatItRefusesForMendingAndSaysAllOfIt) {
+  EXPECT_TRUE((*SiteMap::build(oneTile()))->contradictions().empty());
+  EXPECT_TRUE((*SiteMap::build(oneTile(), Ambiguity::Carried))->contradictions().empty());
+  EXPECT_TRUE((*SiteMap::build(oneTile(), Ambiguity::Carried))->find(uid(2)));
+  Site site = oneTile();
+  site.tileTypes.push_back(site.tileTypes[0]);
+  site.tiles.push_back({"A", "2x1", {uid(3)}});
+  site.tiles.push_back({"C", "3x3", {}});
+  site.tiles.push_back({"D", "2x1", {{}, {}, uid(4)}});
+  for (const char* serial : {"B", "C", "D"}) site.placements.push_back({serial, at(1, 1), 0});
+  site.placements.push_back({"B", at(2, 2), 0});
+  site.looseTags = {{uid(1), at(0, 0)}, {uid(1), at(1, 0)}, {uid(9), at(2, 0)}};
+  site.routes.resize(2);
+  site.vehicles.resize(3);
+  EXPECT_THAT(carriedContradictions(site),
+              ::testing::UnorderedElementsAre(
+                  HasSubstr("Two tile types"), HasSubstr("Two tiles have the serial number \"A\""),
+                  HasSubstr("\"B\" is laid twice"), HasSubstr("\"B\" is laid, but"), HasSubstr("\"B\" is laid, but"),
+                  HasSubstr("\"3x3\""), HasSubstr("\"D\" has 3 UIDs"), HasSubstr("04000001"), HasSubstr("04000001"),
+                  HasSubstr("Two routes"), HasSubstr("address 0"), HasSubstr("address 0")));
+  const auto map = *SiteMap::build(site, Ambiguity::Carried);
+  EXPECT_EQ(map->site(), site);
+  EXPECT_EQ(map->tags().size(), 1U) << "what is ambiguous is no tag";
+  EXPECT_TRUE(map->find(uid(9)));
+  EXPECT_FALSE(SiteMap::build(site)) << "unless it is asked for";
+}
+
+TEST(SiteMap, locatesByNeitherPlaceOfADoubledUid) {
+  Site site = oneTile();
+  site.looseTags = {{uid(2), at(0, 0)}};
+  const auto map = *SiteMap::build(site, Ambiguity::Carried);
+  EXPECT_FALSE(map->find(uid(2)));
+  map->forEachNear(at(0, 0), Metres{0.5}, [](const PlacedTag&) { FAIL(); });
+  EXPECT_TRUE(map->find(uid(1))) << "the tile's other tag is as good as before";
+}
+
+TEST(SiteMap, isMendedStepByStepButNotMadeWorse) {
+  Site broken = oneTile();
+  broken.looseTags = {{uid(1), at(0, 0)}, {uid(2), at(1, 0)}};
+  const auto before = *SiteMap::build(broken, Ambiguity::Carried);
+  Site better = broken;
+  better.looseTags.erase(better.looseTags.begin());
+  const auto half = SiteMap::rebuild(better, *before, {broken, better});
+  ASSERT_TRUE(half) << half.error().sentence;
+  EXPECT_EQ((*half)->contradictions().size(), 1U);
+  EXPECT_TRUE((*half)->find(uid(1)));
+  Site worse = better;
+  worse.routes.resize(2);
+  const auto refused = SiteMap::rebuild(worse, **half, {better, worse});
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().sentence.english(), HasSubstr("Two routes"));
+  Site renamed = better;  // an edit that leaves the tags alone does not lose sight of what is wrong with them
+  renamed.name = "other";
+  EXPECT_EQ((*SiteMap::rebuild(renamed, **half, {better, renamed}))->contradictions().size(), 1U);
+  Site good = better;
+  good.looseTags.clear();
+  const auto mended = SiteMap::rebuild(good, **half, {better, good});
+  ASSERT_TRUE(mended);
+  EXPECT_TRUE((*mended)->contradictions().empty());
+  EXPECT_FALSE(SiteMap::rebuild(better, **mended, {good, better})) << "good again: strict again";
+  EXPECT_TRUE(SiteMap::rebuild(better, **mended, {good, better}, Ambiguity::Carried)) << "but for undo";
+}
+
+TEST(SiteMap, findsWhatOneContradictionHidesBeforeItIsMended) {
+  Site site = oneTile();
+  site.placements.push_back({"A", at(1, 1), 0});
+  site.looseTags = {{uid(1), at(0, 0)}};
+  const auto before = *SiteMap::build(site, Ambiguity::Carried);
+  Site after = site;
+  after.placements.pop_back();
+  const auto mended = SiteMap::rebuild(after, *before, {site, after});
+  ASSERT_TRUE(mended) << mended.error().sentence;
+  EXPECT_EQ((*mended)->contradictions().size(), 1U);
+}
+
 TEST(SiteMap, refusesPlacesThatAreNoNumbers) {
   for (double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -1e300}) {
     Site site = oneTile();
     site.placements[0].origin.x = Metres{bad};
     EXPECT_THAT(refusal(site), HasSubstr("04000001")) << bad;
+    EXPECT_FALSE(SiteMap::build(site, Ambiguity::Carried)) << bad;
   }
 }
 

@@ -64,6 +64,32 @@ TEST_F(Storage, keepsSitesAndAnswersWithThem) {
   EXPECT_EQ(listed[0][1].value<std::vector<KeptSite>>(), (std::vector<KeptSite>{{"k", "Hall", 5, true}}));
 }
 
+TEST_F(Storage, keepsASiteThatContradictsItselfAndItsRevisions) {
+  floor::Site site;
+  site.tiles = {{"A", "unknown", {}}, {"A", "unknown", {}}};
+  site.placements = {{"A", {}, 0}, {"B", {}, 0}};
+  site.routes.resize(2);
+  const auto map = *floor::SiteMap::build(site, floor::Ambiguity::Carried);
+  ASSERT_FALSE(map->contradictions().empty());
+  StoreThread storage{options_};
+  QSignalSpy sites{&storage, &StoreThread::siteLoaded};
+  QSignalSpy revisions{&storage, &StoreThread::revisionLoaded};
+  QSignalSpy listed{&storage, &StoreThread::revisionsListed};
+  storage.start();
+  EXPECT_TRUE(storage.keepSite("k", map, 5, true));
+  EXPECT_TRUE(storage.addRevision("k", map, {5, "Ada", "Found", true}));
+  storage.loadSite("k");
+  storage.listRevisions("k");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return sites.count() == 1 && listed.count() == 1; }));
+  storage.loadRevision(listed[0][1].value<std::vector<Revision>>().at(0).id);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return revisions.count() == 1; }));
+  for (const auto& answer : {sites[0], revisions[0]}) {
+    const auto loaded = answer[1].value<std::shared_ptr<const floor::SiteMap>>();
+    EXPECT_EQ(loaded->site(), site);
+    EXPECT_EQ(loaded->contradictions().size(), map->contradictions().size());
+  }
+}
+
 TEST_F(Storage, keepsRevisionsAndAnswersWithThem) {
   StoreThread storage{options_};
   QSignalSpy listed{&storage, &StoreThread::revisionsListed};

@@ -39,9 +39,10 @@ private:
     patch_.revert(site);
     return site;
   }
-  // The site was one like this before, so that it is good again.
+  // The site was one like this before, so that it is good again, or as bad as it was opened.
   void show(floor::Site site) {
-    if (auto map = floor::SiteMap::rebuild(std::move(site), *document_.map(), patch_)) document_.show(*std::move(map));
+    auto map = floor::SiteMap::rebuild(std::move(site), *document_.map(), patch_, floor::Ambiguity::Carried);
+    if (map) document_.show(*std::move(map));
   }
 
   SiteDocument& document_;

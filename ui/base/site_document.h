@@ -35,8 +35,8 @@ public:
   void markUnsaved() { undo_.resetClean(); }
 
   /// One step, e.g. edit(tr("Move vertex"), [](Site& s) {...}). Steps in a row with the same mergeKey (0: never) become
-  /// one, as in a drag. Error: the site would contradict itself (two routes of one name, ...); nothing has changed
-  /// then. A step keeps what differs, so that thousands of them are cheap on any floor.
+  /// one, as in a drag. Error: the site would contradict itself (two routes of one name, ...) where it did not yet;
+  /// nothing has changed then. A step keeps what differs, so that thousands of them are cheap on any floor.
   Result<void> edit(const QString& step, const std::function<void(floor::Site&)>& change, int mergeKey = 0);
 
   /// The whole site becomes another one, as one step.

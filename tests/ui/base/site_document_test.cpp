@@ -99,6 +99,25 @@ TEST_F(OpenDocument, refusesWhatContradictsItselfAndChangesNothing) {
   EXPECT_EQ(changed.size(), 1);
 }
 
+TEST_F(OpenDocument, isMendedWhereItContradictsItselfAndUndoneToThat) {
+  floor::Site broken;
+  broken.routes = {routeCalled("north"), routeCalled("north"), routeCalled("south")};
+  document.replace(floor::SiteMap::build(broken, floor::Ambiguity::Carried).value(), {});
+  EXPECT_FALSE(add("south")) << "not another contradiction";
+  ASSERT_TRUE(document.edit("Rename", [](floor::Site& site) { site.name = "hall"; }));
+  EXPECT_EQ(document.map()->contradictions().size(), 1U);
+  ASSERT_TRUE(document.edit("Rename route", [](floor::Site& site) { site.routes[1].name = "west"; }));
+  EXPECT_TRUE(document.map()->contradictions().empty());
+  document.undoStack().undo();
+  EXPECT_EQ(document.map()->contradictions().size(), 1U);
+  document.undoStack().undo();
+  EXPECT_EQ(document.site(), broken);
+  document.undoStack().redo();
+  document.undoStack().redo();
+  EXPECT_TRUE(document.map()->contradictions().empty());
+  EXPECT_EQ(document.site().routes[1].name, "west");
+}
+
 TEST_F(OpenDocument, countsAnEditThatChangesNothingAsNone) {
   ASSERT_TRUE(document.edit("Nothing", [](floor::Site&) {}));
   EXPECT_EQ(document.undoStack().count(), 0);
