@@ -7,6 +7,7 @@
 #include "app/cli/output.h"
 #include "app/cli/site_output.h"
 #include "exchange/lif.h"
+#include "exchange/site_import.h"
 #include "exchange/tag_tables.h"
 #include "floor/json_node.h"
 #include "floor/site_json.h"
@@ -42,13 +43,15 @@ Result<Preview> readFrom(const ConvertWords& words) {
     onto = std::move(*site);
   }
   const std::string format = formatOf(words.in);
-  if (format != "csv" && format != "lif") {
+  const bool isSite = format != "csv" && format != "lif";
+  if (isSite && words.onto.empty()) {
     auto site = floor::loadSite(words.in);
     if (!site) return tl::unexpected{std::move(site.error())};
     return Preview{std::move(*site), {}, {}};
   }
   const auto text = floor::loadText(words.in, floor::kMostJson + 1);
   if (!text) return tl::unexpected{text.error()};
+  if (isSite) return exchange::importSite(onto, *text, words.in);
   return format == "csv" ? exchange::importTags(onto, *text, words.in) : exchange::importLif(onto, *text, words.in);
 }
 
@@ -58,7 +61,7 @@ struct Written {
 };
 Written writtenAs(const std::string& format, const floor::Site& site) {
   if (format == "csv") return {exchange::writeTileTags(site), {}};
-  if (format == "csv-loose") return {exchange::writeLooseTags(site), {}};
+  if (format == "csv-places") return {exchange::writeTagPlaces(site), {}};
   if (format == "json") return {writeSite(site), {}};
   auto lif = exchange::writeLif(site, QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString());
   return {std::move(lif.text), std::move(lif.leftOut)};
@@ -67,11 +70,9 @@ Written writtenAs(const std::string& format, const floor::Site& site) {
 int convert(const ConvertWords& words) {
   const std::string format = words.to.empty() ? formatOf(words.out) : words.to;
   if (format.empty())
-    return complain("The ending of " + words.out + " says no format: add --to json, csv, csv-loose or lif.", kUsage);
+    return complain("The ending of " + words.out + " says no format: add --to json, csv, csv-places or lif.", kUsage);
   if (formatOf(words.in) == "csv" && words.onto.empty())
     return complain("A table of tags needs the site whose tags they are: add --onto SITE.", kUsage);
-  if (formatOf(words.in) == "json" && !words.onto.empty())
-    return complain("--onto is for tables and layouts; " + words.in + " is a site.", kUsage);
   const auto preview = readFrom(words);
   if (!preview) return complain(preview.error().sentence, kBadInput);
   const Written written = writtenAs(format, preview->site);
@@ -102,9 +103,13 @@ void addSiteConvert(CLI::App& site, Run& run) {
       "Turn a site (*.tessera.json) into a table of its tags (*.csv) or a VDMA layout (*.lif.json), or back");
   command->add_option("IN", words->in, "A site, a table of tags or a layout, by its ending")->required();
   command->add_option("OUT", words->out, "The file to write")->required();
-  command->add_option("--to", words->to, "Format of OUT; default: by its ending")
-      ->check(CLI::IsMember({"json", "csv", "csv-loose", "lif"}));
-  command->add_option("--onto", words->onto, "The site that a table or a layout is read into");
+  command
+      ->add_option(
+          "--to", words->to,
+          "Format of OUT; default: by its ending. csv: serial,index,uid of tiles; csv-places: x_m,y_m,uid of all "
+          "tags")
+      ->check(CLI::IsMember({"json", "csv", "csv-places", "lif"}));
+  command->add_option("--onto", words->onto, "The site that a table, a layout or another site is read into");
   command->add_flag("--force", words->force, "Replace OUT if it is there");
   command->add_flag("--json", words->json, "Print what changed and what was left out as JSON");
   command->callback([words, &run] { run = [words] { return convert(*words); }; });

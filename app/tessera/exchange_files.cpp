@@ -8,6 +8,7 @@
 
 #include "app/tessera/wait_cursor.h"
 #include "exchange/lif.h"
+#include "exchange/site_import.h"
 #include "exchange/tag_tables.h"
 #include "floor/json_node.h"
 #include "floor/text_file.h"
@@ -20,7 +21,8 @@ namespace tessera::desktop {
 namespace {
 
 const QString kTable = QStringLiteral(".csv");
-const QString kLooseTable = QStringLiteral(".loose.csv");
+const QString kPlaceTable = QStringLiteral(".places.csv");
+const QString kSite = QStringLiteral(".tessera.json");
 const QString kLayout = QStringLiteral(".lif.json");
 
 Result<exchange::Preview> previewOf(const floor::Site& onto, const QString& path) {
@@ -28,8 +30,9 @@ Result<exchange::Preview> previewOf(const floor::Site& onto, const QString& path
   const std::string file = path.toStdString();
   const auto text = floor::loadText(file, floor::kMostJson + 1);
   if (!text) return tl::unexpected{text.error()};
-  return path.endsWith(kTable, Qt::CaseInsensitive) ? exchange::importTags(onto, *text, file)
-                                                    : exchange::importLif(onto, *text, file);
+  if (path.endsWith(kTable, Qt::CaseInsensitive)) return exchange::importTags(onto, *text, file);
+  return path.endsWith(kSite, Qt::CaseInsensitive) ? exchange::importSite(onto, *text, file)
+                                                   : exchange::importLif(onto, *text, file);
 }
 
 }  // namespace
@@ -45,9 +48,9 @@ QString ExchangeFiles::proposal(const QString& suffix) const {
 }
 
 void ExchangeFiles::importAsking() {
-  const QString path =
-      QFileDialog::getOpenFileName(&window_, tr("Import"), QFileInfo{proposal({})}.path(),
-                                   tr("Tables of tags and layouts (*.csv *.lif *.lif.json);;All files (*)"));
+  const QString path = QFileDialog::getOpenFileName(
+      &window_, tr("Import"), QFileInfo{proposal({})}.path(),
+      tr("Tables of tags, layouts and sites (*.csv *.lif *.lif.json *.tessera.json);;All files (*)"));
   if (!path.isEmpty()) importFrom(path);
 }
 
@@ -67,14 +70,14 @@ bool ExchangeFiles::importFrom(const QString& path) {
 
 void ExchangeFiles::exportAsking() {
   const QString table = tr("Table of the tiles' tags (*%1)").arg(kTable);
-  const QString loose = tr("Table of tags without a tile (*%1)").arg(kLooseTable);
+  const QString places = tr("Table of all tags with their places (*%1)").arg(kPlaceTable);
   const QString layout = tr("Layout of routes and stations, VDMA LIF (*%1)").arg(kLayout);
   QString chosen = table;
   QString path = QFileDialog::getSaveFileName(&window_, tr("Export"), proposal(kTable),
-                                              QStringList{table, loose, layout}.join(QStringLiteral(";;")), &chosen);
+                                              QStringList{table, places, layout}.join(QStringLiteral(";;")), &chosen);
   if (path.isEmpty()) return;
   // The dialogue's proposal keeps its ending when another format is chosen.
-  const QString suffix = chosen == layout ? kLayout : chosen == loose ? kLooseTable : kTable;
+  const QString suffix = chosen == layout ? kLayout : chosen == places ? kPlaceTable : kTable;
   if (!path.endsWith(suffix)) {
     if (path.endsWith(kTable)) path.chop(kTable.size());
     path += suffix;
@@ -89,8 +92,8 @@ void ExchangeFiles::exportAsking() {
 bool ExchangeFiles::exportTo(const QString& path) {
   const floor::Site& site = document_.site();
   exchange::LifText written;
-  if (path.endsWith(kLooseTable))
-    written.text = exchange::writeLooseTags(site);
+  if (path.endsWith(kPlaceTable))
+    written.text = exchange::writeTagPlaces(site);
   else if (path.endsWith(kTable))
     written.text = exchange::writeTileTags(site);
   else

@@ -16,13 +16,14 @@ public:
   /// Both must outlive it.
   ExchangeFiles(ui::SiteDocument& document, QWidget& window);
 
-  /// Asks for a table (*.csv) or a layout (*.lif, *.lif.json), shows what it would change, and changes it as one step.
+  /// Asks for a table (*.csv), a layout (*.lif, *.lif.json) or another site (*.tessera.json), shows what it would
+  /// change, and changes it as one step.
   void importAsking();
   /// True: the site has changed.
   bool importFrom(const QString& path);
   void exportAsking();
-  /// By the ending: *.csv is the table of the tiles' tags, *.loose.csv that of tags without a tile, *.lif.json a
-  /// layout.
+  /// By the ending: *.csv is the table of the tiles' tags, *.places.csv that of all tags with their places, *.lif.json
+  /// a layout.
   bool exportTo(const QString& path);
   void savePictureAsking();
 

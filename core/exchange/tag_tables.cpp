@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "exchange/csv.h"
+#include "exchange/tag_places.h"
 
 namespace tessera::exchange {
 namespace {
@@ -44,11 +45,15 @@ public:
     for (std::size_t i = 1; i < rows_.size() && !error_; ++i) tileRow(rows_[i]);
     return finish();
   }
-  Result<Site> loose() {
+  /// before: the site as it was.
+  Result<Site> places(const Site& before) {
+    const TagPlaces tags{before};
     for (std::size_t i = 0; i < site_.looseTags.size(); ++i) looseOf_.try_emplace(site_.looseTags[i].uid, i);
-    for (std::size_t i = 1; i < rows_.size() && !error_; ++i) looseRow(rows_[i]);
+    for (std::size_t i = 1; i < rows_.size() && !error_; ++i) placeRow(rows_[i], tags);
     return finish();
   }
+  /// Lines that meant the tag of a tile.
+  [[nodiscard]] std::size_t onTiles() const { return given_.size(); }
 
 private:
   void fail(const CsvRow& row, const Sentence& sentence) {
@@ -58,7 +63,7 @@ private:
   void tileRow(const CsvRow& row) {
     const auto tile = tileOf_.find(row.fields[0]);
     if (tile == tileOf_.end()) return fail(row, phrase("Core", "the site has no tile %1.").with(shown(row.fields[0])));
-    Tile& t = site_.tiles[tile->second];
+    const Tile& t = site_.tiles[tile->second];
     const auto tags = tagsOf_.find(t.type);
     const std::size_t most = tags == tagsOf_.end() ? 0 : tags->second;
     std::size_t index = 0;
@@ -72,12 +77,17 @@ private:
       if (!parsed) return fail(row, parsed.error().sentence);
       uid = *parsed;
     }
-    const std::size_t place = (tile->second << 16U) | index;
+    set(row, {tile->second, index - 1}, uid);
+    if (!uid.empty()) lineOf_.try_emplace(uid, &row);
+  }
+
+  void set(const CsvRow& row, TileTag tag, const TagUid& uid) {
+    const std::size_t place = (tag.tile << 16U) | tag.tag;
     if (const auto [first, isNew] = given_.try_emplace(place, row.line); !isNew)
       return fail(row, phrase("Core", "this tag stands already in line %1.").with(first->second));
-    if (t.uids.size() < index) t.uids.resize(index);
-    t.uids[index - 1] = uid;
-    if (!uid.empty()) lineOf_.try_emplace(uid, &row);
+    std::vector<TagUid>& uids = site_.tiles[tag.tile].uids;
+    if (uids.size() <= tag.tag) uids.resize(tag.tag + 1);
+    uids[tag.tag] = uid;
   }
 
   std::optional<Metres> coordinate(const CsvRow& row, std::size_t field) {
@@ -90,7 +100,7 @@ private:
     return std::nullopt;
   }
 
-  void looseRow(const CsvRow& row) {
+  void placeRow(const CsvRow& row, const TagPlaces& tags) {
     const auto x = coordinate(row, 0);
     const auto y = coordinate(row, 1);
     const auto uid = TagUid::parse(trimmed(row.fields[2]));
@@ -98,11 +108,12 @@ private:
     if (!x || !y) return;
     if (const auto [first, isNew] = lineOf_.try_emplace(*uid, &row); !isNew)
       return fail(row, phrase("Core", "tag %1 stands already in line %2.").with(uid->text(), first->second->line));
-    const auto [known, isNew] = looseOf_.try_emplace(*uid, site_.looseTags.size());
-    if (isNew)
-      site_.looseTags.push_back({*uid, {*x, *y}});
-    else
+    if (const auto known = looseOf_.find(*uid); known != looseOf_.end())
       site_.looseTags[known->second].place = {*x, *y};
+    else if (const auto tag = tags.at({*x, *y}, kSamePlace, *uid))
+      set(row, *tag, *uid);
+    else
+      site_.looseTags.push_back({*uid, {*x, *y}});
   }
 
   // A UID of the table must stand at one place alone in what the site has become.
@@ -151,10 +162,15 @@ std::string writeTileTags(const Site& site) {
   return s;
 }
 
-std::string writeLooseTags(const Site& site) {
+std::string writeTagPlaces(const Site& site) {
+  const auto line = [](Metres x, Metres y, const TagUid& uid) {
+    return decimal(x) + "," + decimal(y) + "," + uid.text() + "\n";
+  };
+  const auto rounded = [](Metres m) { return Metres{std::round(m.value() * 1e6) / 1e6}; };
   std::string s = "x_m,y_m,uid\n";
-  for (const floor::LooseTag& tag : site.looseTags)
-    s += decimal(tag.place.x) + "," + decimal(tag.place.y) + "," + tag.uid.text() + "\n";
+  TagPlaces{site}.forEachRegistered(
+      [&](const TagUid& uid, Point place) { s += line(rounded(place.x), rounded(place.y), uid); });
+  for (const floor::LooseTag& tag : site.looseTags) s += line(tag.place.x, tag.place.y, tag.uid);
   return s;
 }
 
@@ -163,16 +179,19 @@ Result<Preview> importTags(const Site& onto, std::string_view csv, const std::st
   if (!rows) return tl::unexpected{rows.error()};
   const CsvRow header = rows->empty() ? CsvRow{1, {}} : rows->front();
   const bool tiles = isHeader(header, "serial", "index", "uid");
-  const bool loose = isHeader(header, "x_m", "y_m", "uid") || isHeader(header, "x", "y", "uid");
-  if (!tiles && !loose)
+  const bool places = isHeader(header, "x_m", "y_m", "uid") || isHeader(header, "x", "y", "uid");
+  if (!tiles && !places)
     return failure(phrase("Core", "%1: line %2: %3")
                        .with(name, header.line,
                              phrase("Core", "expected the header %1 or %2.").with("serial,index,uid", "x_m,y_m,uid")));
   TableImport import{onto, *rows, name};
-  auto site = tiles ? import.tiles() : import.loose();
+  auto site = tiles ? import.tiles() : import.places(onto);
   if (!site) return tl::unexpected{std::move(site.error())};
   Preview preview{std::move(*site), {}, {}};
   preview.changes = sitediff::difference(onto, preview.site);
+  if (places && import.onTiles() > 0)
+    preview.notes.push_back(
+        phrase("Core", "Places where a tile has a tag (within 1 cm), whose UID they give: %1.").with(import.onTiles()));
   return preview;
 }
 

@@ -12,6 +12,11 @@
 namespace tessera::floor {
 
 inline constexpr int kSiteFormatVersion = 1;
+// What a file may hold of a kind.
+inline constexpr std::size_t kMostTileTypes = 1000;
+inline constexpr std::size_t kMostTiles = 1'000'000;  ///< of loose tags as well
+inline constexpr std::size_t kMostRoutes = 10'000;    ///< of zones as well
+inline constexpr std::size_t kMostVehicles = 254;
 
 /// Error: names `name` (the file), the JSON pointer or the line and column, and what was expected there. Texts from
 /// anywhere are safe to give: size, depth and every number are bounded.

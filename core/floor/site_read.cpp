@@ -12,8 +12,8 @@ namespace tessera::floor {
 namespace {
 
 constexpr std::size_t kMaxName = 200;
-constexpr std::size_t kMany = 1'000'000;
-constexpr std::size_t kSome = 10'000;
+constexpr std::size_t kMany = kMostTiles;
+constexpr std::size_t kSome = kMostRoutes;
 constexpr double kFar = 100'000.0;
 
 Metres readMetres(const JsonNode& n, double low, double high) {
@@ -234,13 +234,13 @@ Site readSite(JsonNode n) {
   const auto lists = [&n](std::string_view key, std::size_t most, auto read, auto& to) {
     if (!n.failed() && n[key].present()) to = n[key].list(0, most, read);
   };
-  lists("tile_types", 1000, readType, site.tileTypes);
+  lists("tile_types", kMostTileTypes, readType, site.tileTypes);
   lists("tiles", kMany, readTile, site.tiles);
   lists("placements", kMany, readPlacement, site.placements);
   lists("loose_tags", kMany, readLooseTag, site.looseTags);
   lists("zones", kSome, readZone, site.zones);
   lists("routes", kSome, readRoute, site.routes);
-  lists("vehicles", 254, readVehicle, site.vehicles);
+  lists("vehicles", kMostVehicles, readVehicle, site.vehicles);
   if (!n.failed() && n["backdrop"].present()) site.backdrop = readBackdrop(n["backdrop"]);
   return site;
 }

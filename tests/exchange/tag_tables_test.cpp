@@ -23,8 +23,8 @@ std::string errorOf(const Site& onto, const std::string& csv) {
   return preview ? std::string{} : preview.error().sentence.english();
 }
 
-std::string goldenTable() {
-  std::ifstream in{std::string{TESSERA_GOLDEN} + "/paper.csv", std::ios::binary};
+std::string goldenTable(const std::string& name) {
+  std::ifstream in{std::string{TESSERA_GOLDEN} + "/" + name, std::ios::binary};
   std::ostringstream s;
   s << in.rdbuf();
   return s.str();
@@ -33,7 +33,8 @@ std::string goldenTable() {
 TEST(TagTables, ofTheDemoFloorIsTheOneThatIsKept) {
   const auto site = floor::loadSite(std::string{TESSERA_SITES} + "/paper.tessera.json");
   ASSERT_TRUE(site);
-  EXPECT_EQ(writeTileTags(*site), goldenTable());
+  EXPECT_EQ(writeTileTags(*site), goldenTable("paper.csv"));
+  EXPECT_EQ(writeTagPlaces(*site), goldenTable("paper.places.csv"));
 }
 
 TEST(TagTables, fillAFloorThatHasNoneYet) {
@@ -56,15 +57,68 @@ TEST(TagTables, aFloorBrokenAtRandomComesBackFromItsTables) {
     for (int i = 0; i < 4; ++i) sitecheck::editAtRandom(site, random);
     // Where a UID stands twice already, on a tile that is not laid, a table that says so again is refused.
     if (!floor::SiteMap::build(site) || !sitecheck::faultsOf(site, sitecheck::FaultKind::UidTwice).empty()) continue;
-    for (const std::string& table : {writeTileTags(site), writeLooseTags(site)}) {
+    for (const std::string& table : {writeTileTags(site), writeTagPlaces(site)}) {
       const auto preview = importTags(site, table, "f.csv");
       ASSERT_TRUE(preview) << round << preview.error().sentence;
       ASSERT_EQ(preview->site, site) << round;
     }
-    Site bare = site;
-    bare.looseTags.clear();
-    ASSERT_EQ(importTags(bare, writeLooseTags(site), "f.csv")->site, site) << round;
   }
+}
+
+/// Four tiles turned each way, off the lattice by fractions of a millimetre, and loose tags between them.
+Site turnedFloor() {
+  Site site = goodFloor();
+  for (std::size_t n = 0; n < 4; ++n) {
+    site.placements[n].origin = at(10.0 / 3 + 2.0 * static_cast<double>(n), -1.0 / 7);
+    site.placements[n].quarterTurns = static_cast<int>(n);
+  }
+  site.tiles[1].uids[3] = {};
+  site.looseTags = {{TagUid::parse("04AABBCC").value(), at(1.0 / 3, 40)},
+                    {TagUid::parse("04AABBCD").value(), at(-0.0, 1e-7)}};
+  return site;
+}
+
+TEST(TagPlaces, ofEveryTagFillAFloorThatHasNoneYet) {
+  const Site full = turnedFloor();
+  const std::string table = writeTagPlaces(full);
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 159 + 2);
+  EXPECT_EQ(importTags(full, table, "f.csv")->site, full);
+  EXPECT_TRUE(importTags(full, table, "f.csv")->changes.empty());
+  Site bare = full;
+  bare.looseTags.clear();
+  for (auto& tile : bare.tiles) tile.uids.clear();
+  const auto preview = importTags(bare, table, "f.csv");
+  ASSERT_TRUE(preview) << preview.error().sentence;
+  EXPECT_EQ(preview->site, full);
+  ASSERT_EQ(preview->notes.size(), 1U);
+  EXPECT_THAT(preview->notes[0].english(),
+              HasSubstr("where a tile has a tag (within 1 cm), whose UID they give: 159."));
+  EXPECT_EQ(preview->changes.size(), 22U) << "tiles and loose tags";
+  // From a surveyor, to the millimetre.
+  Site like = bare;
+  const auto coarse = importTags(like, "x,y,uid\n0.083,0.068,04AABBCC\n0.086,0.075,04AABBCD\n", "f.csv");
+  ASSERT_TRUE(coarse) << coarse.error().sentence;
+  EXPECT_EQ(coarse->site.looseTags.size(), 2U) << "tile 1 has been moved away";
+}
+
+TEST(TagPlaces, meanTheTagOfATileWithinACentimetre) {
+  const Site site = goodFloor();
+  const std::string old = site.tiles[0].uids[0].text();
+  const auto preview = importTags(site, "x,y,uid\n0.083,0.069,04AABBCC\n0.0852,0.225,04AABBCD\n", "f.csv");
+  ASSERT_TRUE(preview) << preview.error().sentence;
+  EXPECT_EQ(preview->site.tiles[0].uids[0].text(), "04AABBCC") << "in the place of " << old;
+  ASSERT_EQ(preview->site.looseTags.size(), 1U) << "beyond it is a tag of its own";
+  EXPECT_EQ(preview->changes.size(), 2U);
+  EXPECT_THAT(preview->changes[0].sentence.english(), HasSubstr("replaced: 1"));
+}
+
+TEST(TagPlaces, areRefusedAsAWholeWhereATagWouldStandTwice) {
+  const Site site = goodFloor();
+  const std::string first = site.tiles[0].uids[0].text();
+  EXPECT_THAT(errorOf(site, "x,y,uid\n9,9,04AABBCC\n0.675,0.075," + first + "\n"),
+              HasSubstr("f.csv: line 3: tag " + first + " would be registered twice"));
+  EXPECT_THAT(errorOf(site, "x,y,uid\n0.075,0.075,04AABBCC\n0.076,0.075,04AABBCD\n"),
+              HasSubstr("line 3: this tag stands already in line 2"));
 }
 
 TEST(TagTables, mayExchangeTwoTags) {
@@ -116,6 +170,7 @@ TEST(TagTables, sayInWhichLineWhatIsWrong) {
   EXPECT_THAT(errorOf(site, head + "T-0001,1," + uid + "\n"),
               HasSubstr("would be registered twice: as tag 1 of tile \"T-0001\" and as tag 2 of tile \"T-0006\""));
   EXPECT_THAT(errorOf(site, "x_m,y_m,uid\n1,1," + uid + "\n"), HasSubstr("line 2: tag " + uid));
+
   for (const char* bad : {"nan", "inf", "1e9", "", "1,5"})
     EXPECT_THAT(errorOf(site, std::string{"x_m,y_m,uid\n"} + bad + ",1,04AABBCC\n"),
                 HasSubstr("f.csv: line 2: expected"));

@@ -44,7 +44,7 @@ void csv(std::span<const std::uint8_t> input) {
   if (!preview) return requireSentence(preview.error().sentence);
   requireWhole(preview->site);
   require(preview->changes.empty() == (preview->site == smallFloor()), "what changes is told");
-  for (const std::string& table : {exchange::writeTileTags(preview->site), exchange::writeLooseTags(preview->site)}) {
+  for (const std::string& table : {exchange::writeTileTags(preview->site), exchange::writeTagPlaces(preview->site)}) {
     const auto again = exchange::importTags(preview->site, table, "f");
     require(again.has_value() && again->site == preview->site, "a table of the site changes nothing in it");
   }
@@ -60,7 +60,7 @@ void lif(std::span<const std::uint8_t> input) {
 }
 
 std::vector<Input> csvSeeds() {
-  return {inputOf(exchange::writeTileTags(smallFloor())), inputOf(exchange::writeLooseTags(smallFloor())),
+  return {inputOf(exchange::writeTileTags(smallFloor())), inputOf(exchange::writeTagPlaces(smallFloor())),
           inputOf("\xEF\xBB\xBFserial,index,uid\r\n\"T-0001\",1,\r\n\"T-0002\", 3 ,\"04:AA:BB:CD\"\r\n"),
           inputOf("x,y,uid\n1.5,-2e-1,04AABBCC\n\n0,0,0102030405060708090A\n")};
 }

@@ -7,6 +7,7 @@
 #include "app/desktop/desktop_fixture.h"
 #include "app/tessera/exchange_files.h"
 #include "app/tessera/site_files.h"
+#include "floor/site_json.h"
 #include "ui/find/find_box.h"
 
 namespace tessera::desktop {
@@ -83,6 +84,36 @@ TEST_F(Looking, importsATableAsOneStepThatCanBeUndone) {
   EXPECT_EQ(site(), before);
 }
 
+TEST_F(Looking, addsAnotherSiteAsOneStepThatCanBeUndone) {
+  const floor::Site before = site();
+  floor::Site other = before;
+  other.tiles.resize(2);
+  other.placements.clear();
+  for (floor::Tile& tile : other.tiles) {
+    tile.serial = "X" + tile.serial;
+    tile.uids.clear();
+    other.placements.push_back({tile.serial, {Metres{30.0 + static_cast<double>(other.placements.size())}, {}}, 0});
+  }
+  other.looseTags.clear();
+  other.routes.resize(1);
+  other.routes[0].vertices[0].x = Metres{0.7};  // another way under the same name
+  const QString file = written("other.tessera.json", floor::writeSite(other).c_str());
+  auto* exchange = window->findChild<ExchangeFiles*>();
+  inDialogue(QStringLiteral("changesDialog"), [&](QDialog& dialog) {
+    EXPECT_EQ(dialog.findChild<QListWidget*>("changesList")->count(), 4);
+    auto* notes = dialog.findChild<QListWidget*>("changesNotes");
+    ASSERT_EQ(notes->count(), 1);
+    EXPECT_TRUE(notes->item(0)->text().contains("is here already")) << notes->item(0)->text().toStdString();
+    QTest::mouseClick(dialog.findChild<QWidget*>("changesTake"), Qt::LeftButton);
+  });
+  EXPECT_TRUE(exchange->importFrom(file));
+  EXPECT_EQ(site().placements.size(), before.placements.size() + 2);
+  EXPECT_EQ(site().routes, before.routes);
+  EXPECT_EQ(window->document().undoStack().count(), 1);
+  trigger("undo");
+  EXPECT_EQ(site(), before);
+}
+
 TEST_F(Looking, tellsOfAFileThatCannotBeImported) {
   const floor::Site before = site();
   auto* exchange = window->findChild<ExchangeFiles*>();
@@ -103,6 +134,14 @@ TEST_F(Looking, bringsBackWhatItExported) {
     EXPECT_EQ(dialog.findChild<QWidget*>("changesTake"), nullptr) << "nothing would change";
   });
   EXPECT_FALSE(exchange->importFrom(file));
+  const QString places = home.filePath("tags.places.csv");
+  ASSERT_TRUE(exchange->exportTo(places));
+  EXPECT_EQ(QFile{places}.size() > 1000, true) << "tags of tiles as well";
+  inDialogue(QStringLiteral("changesDialog"), [](QDialog& dialog) {
+    EXPECT_EQ(dialog.findChild<QWidget*>("changesTake"), nullptr) << "nothing would change";
+    EXPECT_EQ(dialog.findChild<QListWidget*>("changesNotes")->count(), 1) << "which tags are tiles'";
+  });
+  EXPECT_FALSE(exchange->importFrom(places));
   inDialogue(QStringLiteral("exportNotes"), [](QDialog& dialog) { QTest::keyClick(&dialog, Qt::Key_Return); });
   EXPECT_TRUE(exchange->exportTo(home.filePath("site.lif.json")));
   EXPECT_TRUE(QFile::exists(home.filePath("site.lif.json")));
