@@ -1,5 +1,6 @@
 // What must be within reach whatever the window looks like: at any size, with panels closed, in both languages.
 #include <QDockWidget>
+#include <QFile>
 #include <QLabel>
 #include <QMenuBar>
 #include <QRegularExpression>
@@ -108,6 +109,49 @@ TEST_F(Reach, givesNoLetterTwoMeanings) {
       if (label->buddy() != nullptr && label->isVisible()) take(label->text());
     for (const QAbstractButton* button : window->findChildren<QAbstractButton*>())
       if (button->isVisible()) take(button->text());
+  }
+}
+
+class KeysInTheHelp : public DesktopTest {
+protected:
+  /// The keys of the page's first table: those that hold in the whole window.
+  static QSet<QString> keysOn(const QString& language) {
+    QFile file{QStringLiteral(":/help/%1/keyboard.md").arg(language)};
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << language.toStdString();
+    const QString table = QString::fromUtf8(file.readAll()).section(QStringLiteral("\n## "), 0, 0);
+    static const QRegularExpression row{QStringLiteral("^\\| ([^|]+) \\|"), QRegularExpression::MultilineOption};
+    static const QRegularExpression between{QStringLiteral("、|, ")};
+    QSet<QString> keys;
+    for (auto rows = row.globalMatch(table); rows.hasNext();) {
+      const QString cell = rows.next().captured(1).remove(QStringLiteral("**"));
+      for (QString key : cell.split(between)) {
+        const QKeySequence sequence{key.replace(QChar{0x2212}, QLatin1Char{'-'})};
+        // The table's own head and its line are no keys.
+        if (sequence[0].key() != Qt::Key_unknown && !sequence.isEmpty()) keys.insert(sequence.toString());
+      }
+    }
+    return keys;
+  }
+};
+
+TEST_F(KeysInTheHelp, areThoseOfTheWindow) {
+  openWindow(false);
+  const QSet<QString> english = keysOn(QStringLiteral("en"));
+  ASSERT_GT(english.size(), 25);
+  for (const char* language : {"en", "zh_CN"}) {
+    const QSet<QString> told = keysOn(QString::fromLatin1(language));
+    QSet<QString> real{QStringLiteral("F12")};  // pressed in any window, so no action's
+    for (const QAction* action : window->actions()) {
+      const auto shortcuts = action->shortcuts();
+      for (const QKeySequence& key : shortcuts) real.insert(key.toString());
+      EXPECT_TRUE(shortcuts.isEmpty() ||
+                  std::any_of(shortcuts.begin(), shortcuts.end(),
+                              [&](const QKeySequence& key) { return told.contains(key.toString()); }))
+          << language << ": nothing of " << action->text().toStdString() << ", "
+          << action->shortcut().toString().toStdString();
+    }
+    for (const QString& key : told) EXPECT_TRUE(real.contains(key)) << language << ": " << key.toStdString();
+    EXPECT_EQ(told, english) << language;
   }
 }
 
