@@ -33,6 +33,16 @@
     </message>
 </context>
 <context>
+    <name>tessera::desktop::SiteFiles</name>
+    <message numerus="yes">
+        <source>%1 And %n more.</source>
+        <translation>
+            <numerusform>%1 And one more.</numerusform>
+            <numerusform>%1 And %n more.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>tessera::desktop::StepLog</name>
     <message numerus="yes">
         <source>and %n more</source>
