@@ -65,10 +65,10 @@ TEST_F(Storage, keepsSitesAndAnswersWithThem) {
 }
 
 TEST_F(Storage, keepsASiteThatContradictsItselfAndItsRevisions) {
-  floor::Site site;
+  floor::Site site = mapOf("Hall")->site();
   site.tiles = {{"A", "unknown", {}}, {"A", "unknown", {}}};
   site.placements = {{"A", {}, 0}, {"B", {}, 0}};
-  site.routes.resize(2);
+  site.routes.push_back(site.routes[0]);
   const auto map = *floor::SiteMap::build(site, floor::Ambiguity::Carried);
   ASSERT_FALSE(map->contradictions().empty());
   StoreThread storage{options_};
