@@ -1918,6 +1918,98 @@
         <source>%1 tags of tile &quot;%2&quot; were never read in %3 passes over them; others are read in %4 % of passes. By chance that is once in %5.</source>
         <translation>地板砖“%2”的 %1 个标签在 %3 次驶过中从未被读到；其他标签在 %4 % 的驶过中被读到。偶然如此的机会是 %5 分之一。</translation>
     </message>
+    <message>
+        <source>Forget the second entry of tile type &quot;%1&quot;, which is the same</source>
+        <translation>去掉地板砖类型“%1”的第二个相同条目</translation>
+    </message>
+    <message>
+        <source>Call the second tile &quot;%1&quot; &quot;%2&quot; instead</source>
+        <translation>把第二块地板砖“%1”改称为“%2”</translation>
+    </message>
+    <message>
+        <source>Drop the UIDs of tile &quot;%1&quot; beyond its %2 tags</source>
+        <translation>去掉地板砖“%1”超出其 %2 个标签的 UID</translation>
+    </message>
+    <message>
+        <source>Tile type &quot;%1&quot; is here already, and another one: it stays as it is.</source>
+        <translation>这里已有不同的地板砖类型“%1”：保持不变。</translation>
+    </message>
+    <message>
+        <source>More tile types that stay as they are: %1.</source>
+        <translation>另有保持不变的地板砖类型：%1 个。</translation>
+    </message>
+    <message>
+        <source>Tile &quot;%1&quot; is here already, of another type or with other tags: it stays as it is.</source>
+        <translation>这里已有地板砖“%1”，但类型或标签不同：保持不变。</translation>
+    </message>
+    <message>
+        <source>More tiles that stay as they are: %1.</source>
+        <translation>另有保持不变的地板砖：%1 块。</translation>
+    </message>
+    <message>
+        <source>Tile &quot;%1&quot; is laid here already, at another place: it stays there.</source>
+        <translation>地板砖“%1”在这里已铺设于别处：留在原处。</translation>
+    </message>
+    <message>
+        <source>Loose tag %1 is here already, at another place: it stays there.</source>
+        <translation>这里已有单独标签 %1，但位置不同：留在原处。</translation>
+    </message>
+    <message>
+        <source>More loose tags that stay as they are: %1.</source>
+        <translation>另有保持不变的单独标签：%1 个。</translation>
+    </message>
+    <message>
+        <source>Zone &quot;%1&quot; is here already, and another one: it stays as it is.</source>
+        <translation>这里已有不同的区域“%1”：保持不变。</translation>
+    </message>
+    <message>
+        <source>More zones that stay as they are: %1.</source>
+        <translation>另有保持不变的区域：%1 个。</translation>
+    </message>
+    <message>
+        <source>Route &quot;%1&quot; is here already, and another one: it stays as it is.</source>
+        <translation>这里已有不同的路径“%1”：保持不变。</translation>
+    </message>
+    <message>
+        <source>More routes that stay as they are: %1.</source>
+        <translation>另有保持不变的路径：%1 条。</translation>
+    </message>
+    <message>
+        <source>Address %1 is a vehicle&apos;s here already, and another one&apos;s: it stays as it is.</source>
+        <translation>地址 %1 在这里已属于另一辆车：该车保持不变。</translation>
+    </message>
+    <message>
+        <source>More vehicles that stay as they are: %1.</source>
+        <translation>另有保持不变的车辆：%1 辆。</translation>
+    </message>
+    <message>
+        <source>Tile &quot;%1&quot; is of type &quot;%2&quot;, which is another one in the open site.</source>
+        <translation>地板砖“%1”的类型是“%2”，而打开的场地中同名类型与之不同。</translation>
+    </message>
+    <message>
+        <source>the site would have more of a kind than a site file holds.</source>
+        <translation>场地中某一类的数量会超过场地文件的上限。</translation>
+    </message>
+    <message>
+        <source>Tiles that come to lie upon tiles that are here already: %1. The panel Faults lists them.</source>
+        <translation>将压在已有地板砖上的地板砖：%1 块。“问题”面板会列出它们。</translation>
+    </message>
+    <message>
+        <source>The file&apos;s site lies otherwise to north: its coordinates are taken as they are.</source>
+        <translation>文件中场地的北方向不同：坐标按原样采用。</translation>
+    </message>
+    <message>
+        <source>The file&apos;s vehicles were set up for another setting of the radio.</source>
+        <translation>文件中的车辆是按另一种无线电设置调试的。</translation>
+    </message>
+    <message>
+        <source>The picture beneath the file&apos;s floor is left out.</source>
+        <translation>文件中地面下方的图片未导入。</translation>
+    </message>
+    <message>
+        <source>Places where a tile has a tag (within 1 cm), whose UID they give: %1.</source>
+        <translation>与地板砖标签位置相符（1 厘米以内）、给出其 UID 的位置：%1 处。</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>
@@ -2620,10 +2712,6 @@
         <translation>导入</translation>
     </message>
     <message>
-        <source>Tables of tags and layouts (*.csv *.lif *.lif.json);;All files (*)</source>
-        <translation>标签表和布局 (*.csv *.lif *.lif.json);;所有文件 (*)</translation>
-    </message>
-    <message>
         <source>The file could not be imported</source>
         <translation>无法导入该文件</translation>
     </message>
@@ -2634,10 +2722,6 @@
     <message>
         <source>Table of the tiles&apos; tags (*%1)</source>
         <translation>地板砖标签表 (*%1)</translation>
-    </message>
-    <message>
-        <source>Table of tags without a tile (*%1)</source>
-        <translation>不属于地板砖的标签表 (*%1)</translation>
     </message>
     <message>
         <source>Layout of routes and stations, VDMA LIF (*%1)</source>
@@ -2674,6 +2758,21 @@
     <message>
         <source>The picture could not be saved</source>
         <translation>无法保存图片</translation>
+    </message>
+    <message>
+        <source>Tables of tags, layouts and sites (*.csv *.lif *.lif.json *.tessera.json);;All files (*)</source>
+        <translation>标签表、布局和场地 (*.csv *.lif *.lif.json *.tessera.json);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Table of all tags with their places (*%1)</source>
+        <translation>全部标签及其位置的表 (*%1)</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::desktop::FleetSession</name>
+    <message>
+        <source>No vehicle is supervised with a site that contradicts itself: %1 Mend it first, in the panel Faults.</source>
+        <translation>场地自相矛盾时不监管任何车辆：%1 请先在“问题”面板中修正。</translation>
     </message>
 </context>
 <context>
@@ -2882,6 +2981,20 @@
     <message>
         <source>&amp;Open it here as well</source>
         <translation>在这里也打开(&amp;O)</translation>
+    </message>
+    <message>
+        <source>The site contradicts itself</source>
+        <translation>场地自相矛盾</translation>
+    </message>
+    <message>
+        <source>%1 It was opened so that it can be mended: the panel Faults lists what is wrong. Until then no vehicle is supervised with it.</source>
+        <translation>%1 场地已打开以便修正：“问题”面板列出了问题所在。修正之前不会用它监管任何车辆。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 And %n more.</source>
+        <translation>
+            <numerusform>%1 另有 %n 处。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
