@@ -5,6 +5,7 @@
 #include <QPushButton>
 
 #include "app/desktop/desktop_fixture.h"
+#include "floor/laid_tile.h"
 #include "ui/tilecheck/tile_watch.h"
 
 namespace tessera::desktop {
@@ -42,6 +43,31 @@ TEST_F(DriveOverInWindow, namesTwoTilesThatLieAtEachOthersPlacesAndCorrectsTheSi
   EXPECT_GE(window->tileWatch().progress().confirmed, 1);
   find<QDockWidget>("tileCheckDock")->close();
   EXPECT_TRUE(window->canvas().tileMarks().empty()) << "the marks go with the panel";
+}
+
+TEST_F(DriveOverInWindow, namesATurnedTileOnADriveAndTurnsItInTheSite) {
+  openWindow(false);
+  ASSERT_NO_FATAL_FAILURE(startDemo());
+  const floor::Site laid = window->document().site();
+  ASSERT_TRUE(window->document().edit(QStringLiteral("mistake"), [](floor::Site& site) {
+    floor::Placement& tile = site.placements.at(3);
+    const floor::TileType& type = site.tileTypes.front();
+    tile = tilecheck::placedAt(tile.serial, type, floor::boxOf(tile, type).low, 2);
+  }));
+  ASSERT_NE(window->document().site(), laid);
+  press(Qt::Key_D, Qt::ControlModifier | Qt::ShiftModifier);
+  ASSERT_TRUE(until([&] { return find("runTileCheck")->isVisible(); }));
+  QTest::mouseClick(find("runTileCheck"), Qt::LeftButton);
+  pressWhenOffered("runAction", Qt::Key_F5);
+  auto* list = find<QListWidget>("suspectList");
+  ASSERT_TRUE(until([&] { return list->count() == 1; })) << vehicle().waits.english() << vehicle().doing.english();
+  EXPECT_EQ(list->item(0)->text(), "Tile \"T-0004\" lies turned by 180° against the site.");
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
+  QTest::mouseClick(find("mendSuspect"), Qt::LeftButton);
+  const floor::Placement& mended = window->document().site().placements.at(3);
+  EXPECT_EQ(mended.quarterTurns, 0);
+  EXPECT_LT(distance(mended.origin, laid.placements.at(3).origin), Metres{1e-6});
+  EXPECT_EQ(list->count(), 0);
 }
 
 }  // namespace
