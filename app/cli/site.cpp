@@ -1,4 +1,5 @@
 // `tessera-cli site`: makes, checks, compares and counts site files.
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
@@ -23,6 +24,7 @@ using floor::Site;
 
 struct SiteWords {
   std::string file;
+  std::vector<std::string> files;  ///< of a command that takes several
   std::string other;
   std::string tileType;
   std::string name;
@@ -66,30 +68,57 @@ void sayFaults(const sitecheck::Verdict& verdict, bool all) {
           std::string{codeOf(static_cast<sitecheck::FaultKind>(kind))} + "; --all lists them.");
 }
 
-int check(const SiteWords& words) {
-  const auto site = floor::loadSite(words.file);
-  if (!site) return complain(site.error().sentence, kBadInput);
+struct FileReport {
+  nlohmann::json json;
+  int code = kDone;
+};
+
+// Each file by itself; the worst of all is the exit code, which counts up with what is bad.
+int forEachFile(const SiteWords& words, FileReport (*report)(const SiteWords&, const Site&)) {
+  nlohmann::json all = nlohmann::json::array();
+  int worst = kDone;
+  for (const std::string& file : words.files) {
+    if (words.files.size() > 1 && !words.json) say(file + ":");
+    SiteWords one = words;
+    one.file = file;
+    const auto site = floor::loadSite(file);
+    FileReport result = site ? report(one, *site) : FileReport{{{"error", site.error().sentence.english()}}, kBadInput};
+    if (!site) complain(site.error().sentence, kBadInput);
+    result.json["file"] = file;
+    worst = std::max(worst, result.code);
+    all.push_back(std::move(result.json));
+  }
+  if (!words.json) return worst;
+  if (words.files.size() > 1)
+    say(all.dump(2));
+  else if (!all.front().contains("error"))
+    say(all.front().dump(2));
+  return worst;
+}
+
+FileReport checkOne(const SiteWords& words, const Site& site) {
   sitecheck::CheckOptions options;
   options.clearance = Metres{words.clearance};
-  const sitecheck::Verdict verdict = sitecheck::checkSite(*site, options);
-  const auto figures = sitediff::figuresOf(*site);
+  const sitecheck::Verdict verdict = sitecheck::checkSite(site, options);
+  const auto figures = sitediff::figuresOf(site);
   const std::size_t errors = verdict.count(sitecheck::Severity::Error);
+  FileReport report{countsOf(site, figures), errors > 0 ? kNotFinished : kDone};
+  report.json["errors"] = errors;
+  report.json["warnings"] = verdict.size() - errors;
+  report.json["faults"] = nlohmann::json::array();
   if (words.json) {
-    nlohmann::json result = countsOf(*site, figures);
-    result["errors"] = errors;
-    result["warnings"] = verdict.size() - errors;
-    result["faults"] = nlohmann::json::array();
-    verdict.forEach([&](const sitecheck::Fault& fault) { result["faults"].push_back(jsonOf(fault)); });
-    say(result.dump(2));
+    verdict.forEach([&](const sitecheck::Fault& fault) { report.json["faults"].push_back(jsonOf(fault)); });
   } else {
-    say(sentenceOf(*site, figures));
+    say(sentenceOf(site, figures));
     sayFaults(verdict, words.all);
     if (verdict.size() > 0) say(counted(errors, "error") + ", " + counted(verdict.size() - errors, "warning") + ".");
   }
-  if (const auto map = floor::SiteMap::build(*site); !map)
-    return complain(words.file + ": " + map.error().sentence.english(), kBadInput);
-  return errors > 0 ? kNotFinished : kDone;
+  if (const auto map = floor::SiteMap::build(site); !map)
+    report.code = complain(words.file + ": " + map.error().sentence.english(), kBadInput);
+  return report;
 }
+
+int check(const SiteWords& words) { return forEachFile(words, checkOne); }
 
 int make(const SiteWords& words) {
   floor::NewFloor wish{
@@ -141,15 +170,11 @@ nlohmann::json jsonOfFigures(const sitediff::Figures& f) {
   return result;
 }
 
-int count(const SiteWords& words) {
-  const auto site = floor::loadSite(words.file);
-  if (!site) return complain(site.error().sentence, kBadInput);
+FileReport countOne(const SiteWords& words, const Site& site) {
   const auto f =
-      sitediff::figuresOf(*site, words.speed > 0 ? std::optional{MetresPerSecond{words.speed}} : std::nullopt);
-  if (words.json) {
-    say(jsonOfFigures(f).dump(2));
-    return kDone;
-  }
+      sitediff::figuresOf(site, words.speed > 0 ? std::optional{MetresPerSecond{words.speed}} : std::nullopt);
+  FileReport report{jsonOfFigures(f), kDone};
+  if (words.json) return report;
   char text[700];
   const double share =
       f.tagPlaces == 0 ? 0.0 : 100.0 * static_cast<double>(f.registered) / static_cast<double>(f.tagPlaces);
@@ -166,8 +191,10 @@ int count(const SiteWords& words) {
                   route.time.value());
     say("Route " + route.name + text);
   }
-  return kDone;
+  return report;
 }
+
+int count(const SiteWords& words) { return forEachFile(words, countOne); }
 
 std::vector<std::string> tileTypeNames() {
   std::vector<std::string> names;
@@ -190,6 +217,7 @@ void addSite(CLI::App& app, Run& run) {
   site->require_subcommand(1);
   auto words = std::make_shared<SiteWords>();
   constexpr const char* kFile = "A *.tessera.json file";
+  constexpr const char* kFiles = "*.tessera.json files";
   auto* making = addPart(*site, "new", "Write a floor of equal tiles, side by side", words, make, run);
   making->add_option("OUT", words->file, "The file to write: *.tessera.json")->required();
   making->add_option("--tile-type", words->tileType, "Size, pattern and pitch of the tiles")
@@ -202,8 +230,11 @@ void addSite(CLI::App& app, Run& run) {
   making->add_option("--name", words->name, "The site's name; default: the file's");
   making->add_flag("--practice", words->practice, "Made-up UIDs and one vehicle, to try it in the simulated world");
   making->add_flag("--force", words->force, "Replace the file if it is there");
-  auto* checking = addPart(*site, "check", "Read a site file and list its faults", words, check, run);
-  checking->add_option("FILE", words->file, kFile)->required();
+  auto* checking = addPart(*site, "check",
+                           "Read site files and list their faults. The exit code is the worst of all; with --json an "
+                           "object, of several files an array of such, one that cannot be read with its \"error\"",
+                           words, check, run);
+  checking->add_option("FILE", words->files, kFiles)->required();
   checking->add_flag("--all", words->all, "List every fault; default: 20 of each kind");
   checking->add_option("--clearance", words->clearance, "Room around vehicles on routes, m; default: none")
       ->check(CLI::Range(0.0, 2.0));
@@ -211,8 +242,10 @@ void addSite(CLI::App& app, Run& run) {
   auto* comparing = addPart(*site, "diff", "Say what changes from one site to another", words, compare, run);
   comparing->add_option("BEFORE", words->file, kFile)->required();
   comparing->add_option("AFTER", words->other, kFile)->required();
-  auto* counting = addPart(*site, "stats", "Count tiles, tags, areas, lengths and travel times", words, count, run);
-  counting->add_option("FILE", words->file, kFile)->required();
+  auto* counting =
+      addPart(*site, "stats", "Count tiles, tags, areas, lengths and travel times. Exit code and --json as of check",
+              words, count, run);
+  counting->add_option("FILE", words->files, kFiles)->required();
   counting->add_option("--speed", words->speed, "On the routes, m/s; default: the vehicle's highest")
       ->check(CLI::Range(0.01, 20.0));
   addSiteRevisions(*site, run);

@@ -16,6 +16,7 @@
 namespace tessera::system_test {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using Words = std::vector<std::string>;
 
@@ -104,6 +105,71 @@ TEST_F(SiteCommands, listFaultsWithTheirPlaces) {
   write("twice.tessera.json", site.dump());
   EXPECT_THAT(run({"check", at("twice.tessera.json")}, cli::kBadInput), HasSubstr("uid-twice"));
   EXPECT_THAT(errors(), HasSubstr("two places"));
+}
+
+TEST_F(SiteCommands, checkAndCountSeveralFilesAtOnce) {
+  makeFloor("good.tessera.json", true);
+  makeFloor("other.tessera.json", true);
+  auto site = nlohmann::json::parse(bytesOf(at("other.tessera.json")));
+  site["placements"][7]["x_m"] = 0.9;
+  write("broken.tessera.json", site.dump());
+  site["tiles"][3]["uids"][0] = site["tiles"][4]["uids"][0];
+  write("twice.tessera.json", site.dump());
+  EXPECT_THAT(run({"check", at("good.tessera.json"), at("other.tessera.json")}, cli::kDone),
+              AllOf(HasSubstr(at("good.tessera.json") + ":\ngood: 20 tiles"), HasSubstr("other: 20 tiles")));
+  const auto two = json({"check", at("broken.tessera.json"), at("good.tessera.json")}, cli::kNotFinished);
+  ASSERT_EQ(two.size(), 2U);
+  EXPECT_EQ(two[0]["file"], at("broken.tessera.json"));
+  EXPECT_EQ(two[0]["errors"], 1);
+  EXPECT_EQ(two[1]["errors"], 0);
+  const auto all =
+      json({"check", at("twice.tessera.json"), at("none.tessera.json"), at("good.tessera.json")}, cli::kBadInput);
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_TRUE(std::any_of(all[0]["faults"].begin(), all[0]["faults"].end(), [](const auto& f) {
+    return f["kind"] == "uid-twice" && f["severity"] == "error";
+  })) << "what cannot be used is listed all the same";
+  EXPECT_THAT(all[1]["error"].get<std::string>(), HasSubstr("none.tessera.json"));
+  EXPECT_EQ(all[2]["errors"], 0) << "after one that cannot be read";
+  const auto stats = json({"stats", at("good.tessera.json"), at("broken.tessera.json")}, cli::kDone);
+  ASSERT_EQ(stats.size(), 2U);
+  EXPECT_EQ(stats[1]["file"], at("broken.tessera.json"));
+  EXPECT_EQ(stats[1]["tags_registered"], 160);
+  EXPECT_EQ(json({"stats", at("good.tessera.json"), at("none.tessera.json")}, cli::kBadInput).size(), 2U);
+}
+
+TEST_F(SiteCommands, addOneSiteToAnother) {
+  makeFloor("a.tessera.json", true);
+  auto site = nlohmann::json::parse(bytesOf(at("a.tessera.json")));
+  for (auto& tile : site["tiles"]) {
+    tile["serial"] = "X" + tile["serial"].get<std::string>();
+    tile["uids"] = nlohmann::json::array();
+  }
+  for (auto& placement : site["placements"]) {
+    placement["serial"] = "X" + placement["serial"].get<std::string>();
+    placement["x_m"] = placement["x_m"].get<double>() + 50;
+  }
+  write("b.tessera.json", site.dump());
+  const Words words{"convert", at("b.tessera.json"), at("both.tessera.json"), "--onto", at("a.tessera.json")};
+  EXPECT_EQ(json(words, cli::kDone)["changes"].size(), 40U);
+  EXPECT_EQ(json({"stats", at("both.tessera.json")}, cli::kDone)["tiles_laid"], 40);
+  site["tiles"][0]["uids"] = nlohmann::json::parse(bytesOf(at("a.tessera.json")))["tiles"][1]["uids"];
+  write("b.tessera.json", site.dump());
+  Words forced = words;
+  forced.emplace_back("--force");
+  const std::string before = bytesOf(at("both.tessera.json"));
+  run(forced, cli::kBadInput);
+  EXPECT_THAT(errors(), HasSubstr("would be registered twice"));
+  EXPECT_EQ(bytesOf(at("both.tessera.json")), before);
+}
+
+TEST_F(SiteCommands, carryTagsByTheirPlaces) {
+  makeFloor("full.tessera.json", true);
+  makeFloor("bare.tessera.json", false);
+  run({"convert", at("full.tessera.json"), at("tags.csv"), "--to", "csv-places"}, cli::kDone);
+  const auto filled =
+      json({"convert", at("tags.csv"), at("filled.tessera.json"), "--onto", at("bare.tessera.json")}, cli::kDone);
+  EXPECT_THAT(filled["notes"][0].get<std::string>(), HasSubstr("160"));
+  EXPECT_EQ(json({"stats", at("filled.tessera.json")}, cli::kDone)["tags_registered"], 160);
 }
 
 TEST_F(SiteCommands, carryTagsFromOneFloorToAnother) {
