@@ -25,6 +25,7 @@
 #include "app/tessera/truth_probe.h"
 #include "app/tessera/window_actions.h"
 #include "app/tessera/window_panels.h"
+#include "ui/calibrate/calibration.h"
 #include "ui/canvas/floor_canvas.h"
 #include "ui/check/fault_watch.h"
 #include "ui/connect/start_page.h"
@@ -67,6 +68,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow{parent} {
   joinBackdrop();
   joinTileCheck();
   joinLocating();
+  joinCalibration();
   joinPanels();
   joinLooking();
   joinTiles();
@@ -98,6 +100,7 @@ MainWindow::~MainWindow() {
   }
   watch_.reset();
   tileWatch_.reset();
+  calibration_.reset();
   layTool_.reset();  // its panel looked at it
   delete takeCentralWidget();
   delete files_;

@@ -19,6 +19,7 @@ class QStackedWidget;
 class QToolButton;
 
 namespace tessera::ui {
+class Calibration;
 class CanvasTool;
 class FindBox;
 class MeasureTool;
@@ -105,6 +106,7 @@ private:
   void joinBackdrop();
   void joinTileCheck();
   void joinLocating();
+  void joinCalibration();
   void layTiles();
   void editTileTypes();
   void joinTiles();
@@ -133,6 +135,7 @@ private:
   std::unique_ptr<ui::FaultWatch> watch_;
   std::unique_ptr<ui::TileWatch> tileWatch_;
   std::unique_ptr<TruthProbe> truth_;
+  std::unique_ptr<ui::Calibration> calibration_;
   std::unique_ptr<ui::RouteTool> routeTool_;
   std::unique_ptr<ui::MeasureTool> measureTool_;
   ui::FindBox* find_ = nullptr;

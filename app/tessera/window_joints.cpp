@@ -213,7 +213,7 @@ void MainWindow::showSite() {
                           actions_->drawZone,   actions_->showFaults, actions_->showRevisions, actions_->registerTags,
                           actions_->layTiles,   actions_->tileTypes,  actions_->connectPort,   actions_->radio,
                           actions_->commission, actions_->jog,        actions_->floorPlan,     actions_->tileCheck,
-                          actions_->locating})
+                          actions_->locating,   actions_->calibrate})
     action->setEnabled(open_);
   actions_->editVehicle->setEnabled(open_ && selection_.vehicle().has_value());
   faults_->setVisible(open_);

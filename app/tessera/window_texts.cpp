@@ -53,6 +53,7 @@ void WindowActions::retranslate() {
   showFaults->setText(tr("&Faults of the site"));
   showRevisions->setText(tr("Re&visions"));
   tileCheck->setText(tr("Dri&ve-over check…"));
+  calibrate->setText(tr("Calibrate readers and &wheels…"));
   locating->setText(tr("Loc&ating of the vehicle…"));
   registerTags->setText(tr("Register &tags…"));
   floorPlan->setText(tr("Floor &plan…"));

@@ -15,8 +15,10 @@ constexpr int kMostSteps = 15;
 constexpr double kSettled = 1e-6;
 constexpr double kHuber = 2.5;    // deviations of a read in the plane from which on it counts less
 constexpr double kOutlier = 4.0;  // and from which on it is called one
-constexpr double kRimModel =
-    0.003;  // m: what is not known of where in the disc tags are first read; of all reads alike
+// What is not known of where in the disc tags are first read is the same for all reads: no number of them makes it
+// less.
+constexpr double kRimAhead = 0.005;         // m
+constexpr double kRimAside = 0.004;         // m
 constexpr double kHeadingNoise = 0.03;      // rad, of one reported heading
 constexpr double kBiasPerRootMetre = 0.10;  // rad/√m, as the locators have it
 constexpr double kBiasPerTurn = 0.02;
@@ -263,8 +265,8 @@ Result<Calibration> calibrateReaders(const DriveRecord& drive, const floor::Vehi
     const Eigen::Index at = Problem::mountAt(static_cast<int>(r));
     CalibratedReader reader;
     reader.mount = {Metres{best.unknowns.shared(at)}, Metres{best.unknowns.shared(at + 1)}};
-    reader.sigmaAhead = Metres{std::hypot(std::sqrt(best.covariance(at, at)), kRimModel)};
-    reader.sigmaAside = Metres{std::sqrt(best.covariance(at + 1, at + 1))};
+    reader.sigmaAhead = Metres{std::hypot(std::sqrt(best.covariance(at, at)), kRimAhead)};
+    reader.sigmaAside = Metres{std::hypot(std::sqrt(best.covariance(at + 1, at + 1)), kRimAside)};
     reader.reads = static_cast<int>(
         std::count_if(visits.begin(), visits.end(), [&](const Visit& v) { return v.reader == static_cast<int>(r); }));
     result.readers.push_back(reader);

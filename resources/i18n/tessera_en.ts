@@ -53,6 +53,16 @@
     </message>
 </context>
 <context>
+    <name>tessera::ui::CalibratePanel</name>
+    <message numerus="yes">
+        <source>%n read(s) fit nothing and hardly count.</source>
+        <translation>
+            <numerusform>%n read fits nothing and hardly counts.</numerusform>
+            <numerusform>%n reads fit nothing and hardly count.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>tessera::ui::ChangesDialog</name>
     <message numerus="yes">
         <source>%n changes. They are made all together, as one step that can be undone.</source>

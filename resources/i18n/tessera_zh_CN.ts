@@ -2010,6 +2010,22 @@
         <source>Places where a tile has a tag (within 1 cm), whose UID they give: %1.</source>
         <translation>与地板砖标签位置相符（1 厘米以内）、给出其 UID 的位置：%1 处。</translation>
     </message>
+    <message>
+        <source>No tiles are laid: there is nothing to drive over.</source>
+        <translation>没有铺设地板砖：无处可驶。</translation>
+    </message>
+    <message>
+        <source>The floor is too small for the figure: it needs 1.4 m by 1.4 m.</source>
+        <translation>地面放不下校准图形：需要 1.4 m × 1.4 m。</translation>
+    </message>
+    <message>
+        <source>Only %1 reads can be used; at least %2 are needed.</source>
+        <translation>只有 %1 次读数可用；至少需要 %2 次。</translation>
+    </message>
+    <message>
+        <source>Nothing can be told from this drive.</source>
+        <translation>从这次行驶中得不出结果。</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>
@@ -3292,6 +3308,10 @@
         <source>Properties of the si&amp;te…</source>
         <translation>场地属性(&amp;T)…</translation>
     </message>
+    <message>
+        <source>Calibrate readers and &amp;wheels…</source>
+        <translation>校准读卡器和车轮(&amp;W)…</translation>
+    </message>
 </context>
 <context>
     <name>tessera::desktop::WindowPanels</name>
@@ -3577,6 +3597,156 @@
         <source>now %1 m</source>
         <comment>a length</comment>
         <translation>现为 %1 m</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::CalibratePanel</name>
+    <message>
+        <source>The site has no vehicle yet. Set one up: Vehicle › Set up a new vehicle.</source>
+        <translation>场地还没有车辆。请设置一台：车辆 › 设置新车辆。</translation>
+    </message>
+    <message>
+        <source>Connect to the vehicles: the calibration is a drive.</source>
+        <translation>请连接车辆：校准需要行驶。</translation>
+    </message>
+    <message>
+        <source>Choose the vehicle to calibrate, in the list or on the floor.</source>
+        <translation>在列表中或地面上选择要校准的车辆。</translation>
+    </message>
+    <message>
+        <source>Draw the figure, or choose a route that crosses the rows of tags at a slant and turns often. Then press Record and run the vehicle along it, slowly (0.12 m/s).</source>
+        <translation>画校准图形，或选择一条斜穿标签行、转弯多的路径。然后按“记录”，让车辆沿它慢速行驶（0.12 m/s）。</translation>
+    </message>
+    <message>
+        <source>Run the vehicle along the route. Each tag that it reads tells a bit more.</source>
+        <translation>让车辆沿路径行驶。每读到一个标签，结果就更明确一些。</translation>
+    </message>
+    <message>
+        <source>Drive on until the deviations are small enough, then enter the values into the site.</source>
+        <translation>继续行驶，直到标准差足够小，再把结果输入场地。</translation>
+    </message>
+    <message>
+        <source>Compare the values. They are entered into the site as one step that can be undone.</source>
+        <translation>请比较数值。输入场地作为一步，可以撤销。</translation>
+    </message>
+    <message>
+        <source>The drive was too short, or turned too little: press Record and go on.</source>
+        <translation>行驶太短，或转弯太少：请按“记录”继续。</translation>
+    </message>
+    <message>
+        <source>%1 m driven, %2 half turns, %3 reads.</source>
+        <translation>已行驶 %1 m，%2 个半圈，%3 次读数。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n read(s) fit nothing and hardly count.</source>
+        <translation>
+            <numerusform>%n 次读数完全不符，几乎不计入。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Offsets are told apart from the way by turning: let it turn more.</source>
+        <translation>靠转弯才能区分偏移与路程：请多转弯。</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>未得出</translation>
+    </message>
+    <message>
+        <source>Reader %1, ahead (mm)</source>
+        <translation>读卡器 %1，向前（mm）</translation>
+    </message>
+    <message>
+        <source>Reader %1, to the left (mm)</source>
+        <translation>读卡器 %1，向左（mm）</translation>
+    </message>
+    <message>
+        <source>Diameter of the wheels (mm)</source>
+        <translation>车轮直径（mm）</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>校准</translation>
+    </message>
+    <message>
+        <source>Draw the figure</source>
+        <translation>画校准图形</translation>
+    </message>
+    <message>
+        <source>A route for this: a star that crosses the rows of tags at every slant. It can be undone</source>
+        <translation>用于校准的路径：以各种斜角穿过标签行的星形。可以撤销</translation>
+    </message>
+    <message>
+        <source>Begin anew</source>
+        <translation>重新开始</translation>
+    </message>
+    <message>
+        <source>Forget what was recorded so far</source>
+        <translation>清除至今的记录</translation>
+    </message>
+    <message>
+        <source>Enter into the site</source>
+        <translation>输入场地</translation>
+    </message>
+    <message>
+        <source>Readers that the drive tells of get the offsets found; it can be undone</source>
+        <translation>得出结果的读卡器采用得到的位置；可以撤销</translation>
+    </message>
+    <message>
+        <source>the wheels as well</source>
+        <translation>包括车轮</translation>
+    </message>
+    <message>
+        <source>The vehicle learns of its wheels by “Change the chosen vehicle”, page of the settings</source>
+        <translation>车辆通过“更改所选车辆”的参数页得知车轮直径</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>项目</translation>
+    </message>
+    <message>
+        <source>Entered</source>
+        <translation>输入值</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Deviation (1 σ)</source>
+        <translation>标准差（1 σ）</translation>
+    </message>
+    <message>
+        <source>What was found, beside what is entered</source>
+        <translation>结果与输入值</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::Calibration</name>
+    <message>
+        <source>Calibrate readers</source>
+        <translation>校准读卡器</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <comment>name of a route</comment>
+        <translation>校准</translation>
+    </message>
+    <message>
+        <source>Calibration %1</source>
+        <comment>name of a route</comment>
+        <translation>校准 %1</translation>
+    </message>
+    <message>
+        <source>Draw the calibration figure</source>
+        <translation>画校准图形</translation>
     </message>
 </context>
 <context>

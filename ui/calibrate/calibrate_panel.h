@@ -1,0 +1,67 @@
+// Readers and wheels calibrated by driving: what to do, how far it is, what was found with its deviations, and the
+// button that enters it into the site.
+#pragma once
+
+#include <QBoxLayout>
+#include <QCheckBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QWidget>
+
+#include "ui/base/selection.h"
+#include "ui/base/throttle.h"
+#include "ui/calibrate/calibration.h"
+
+namespace tessera::ui {
+
+class CalibratePanel : public QWidget {
+  Q_OBJECT
+public:
+  /// All must outlive it.
+  CalibratePanel(Calibration& work, FleetLink& fleet, Selection& selection, SiteDocument& document,
+                 QWidget* parent = nullptr);
+
+Q_SIGNALS:
+  /// One sentence: why something was not done.
+  void refused(const QString& sentence);
+
+protected:
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+private:
+  enum Column { What, Entered, Found, Deviation, Columns };
+
+  void build();
+  void retranslate();
+  void refresh();
+  void fillTable();
+  void setRow(int row, const QString& what, double entered, double found, double deviation, int decimals, bool told);
+  void setCell(int row, Column column, const QString& text);
+  void record();
+  void drawFigure();
+  void accept();
+  [[nodiscard]] QString name() const;
+  [[nodiscard]] QString whatNow() const;
+  [[nodiscard]] QString progress() const;
+  [[nodiscard]] bool tells() const;
+
+  Calibration& work_;
+  FleetLink& fleet_;
+  Selection& selection_;
+  SiteDocument& document_;
+  QBoxLayout* sides_ = nullptr;
+  QLabel* name_ = nullptr;
+  QLabel* hint_ = nullptr;
+  QLabel* progress_ = nullptr;
+  QPushButton* figure_ = nullptr;
+  QPushButton* record_ = nullptr;
+  QPushButton* reset_ = nullptr;
+  QPushButton* accept_ = nullptr;
+  QCheckBox* wheels_ = nullptr;
+  QTableWidget* table_ = nullptr;
+  Throttle throttle_;
+};
+
+}  // namespace tessera::ui
