@@ -38,6 +38,10 @@ public:
   [[nodiscard]] bool movesTags() const;
   /// Tiles, routes and the like that the patch holds, the older and the newer ones: what it costs to keep.
   [[nodiscard]] std::size_t items() const;
+  [[nodiscard]] const ListPatch<TileType>& tileTypes() const { return tileTypes_; }
+  [[nodiscard]] const ListPatch<Tile>& tiles() const { return tiles_; }
+  [[nodiscard]] const ListPatch<Placement>& placements() const { return placements_; }
+  [[nodiscard]] const ListPatch<LooseTag>& looseTags() const { return looseTags_; }
   /// Makes the newer site of the older. `site` has to be the one that the patch was made of.
   void apply(Site& site) const;
   /// Makes the older site of the newer.

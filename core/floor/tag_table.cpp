@@ -36,9 +36,6 @@ void TagTable::sortIntoGrid(std::vector<PlacedTag> tags) {
   columns_ = static_cast<std::size_t>(width / cellSize_) + 1;
   rows_ = static_cast<std::size_t>(height / cellSize_) + 1;
 
-  const auto cellOf = [this](const PlacedTag& t) {
-    return row(t.place.y.value()) * columns_ + column(t.place.x.value());
-  };
   cellStart_.assign(columns_ * rows_ + 1, 0);
   for (const PlacedTag& tag : tags) ++cellStart_[cellOf(tag) + 1];
   for (std::size_t c = 1; c < cellStart_.size(); ++c) cellStart_[c] += cellStart_[c - 1];

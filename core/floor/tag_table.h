@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/pose.h"
@@ -24,6 +25,11 @@ public:
   /// Error: a UID at two places, or more tags than can be numbered.
   [[nodiscard]] static Result<std::shared_ptr<const TagTable>> build(std::vector<PlacedTag> tags);
 
+  /// The table without the tags of some UIDs and with some more, in the time of a copy. Null: it has to be built, as a
+  /// UID is not here or would be at two places, a new place lies outside the grid, or the table would be too full.
+  [[nodiscard]] std::shared_ptr<const TagTable> changed(std::span<const TagUid> removed,
+                                                        std::span<const PlacedTag> added) const;
+
   /// Ordered by grid cell, row by row from the lower left.
   [[nodiscard]] const std::vector<PlacedTag>& tags() const { return tags_; }
   [[nodiscard]] std::optional<Point> find(const TagUid& uid) const;
@@ -37,6 +43,15 @@ private:
   [[nodiscard]] Result<void> hashTags();
   /// Where this UID stands in table_ or would have to; nothing: too far from where it belongs.
   [[nodiscard]] std::optional<std::size_t> freeSlot(const TagUid& uid) const;
+  void takeOut(std::size_t index);
+  [[nodiscard]] std::size_t cellOf(const PlacedTag& tag) const {
+    return row(tag.place.y.value()) * columns_ + column(tag.place.x.value());
+  }
+  [[nodiscard]] bool isInGrid(Point place) const {
+    const double right = left_ + static_cast<double>(columns_) * cellSize_;
+    const double top = bottom_ + static_cast<double>(rows_) * cellSize_;
+    return place.x.value() >= left_ && place.x.value() < right && place.y.value() >= bottom_ && place.y.value() < top;
+  }
   [[nodiscard]] std::size_t column(double x) const { return cell((x - left_) / cellSize_, columns_); }
   [[nodiscard]] std::size_t row(double y) const { return cell((y - bottom_) / cellSize_, rows_); }
   // Whatever lies outside the grid, or is no number, counts to its edge.
