@@ -244,6 +244,7 @@ bool put(const PutUid& change, floor::Site& site) {
 std::vector<TagFinding> checkTags(const floor::Site& site, const std::vector<PlacedRead>& reads,
                                   const std::vector<TagPasses>& passes, const TileCheckResult& tiles,
                                   const TagCheckOptions& options) {
+  if (reads.empty() && passes.empty()) return {};
   return TagCheck{site, reads, tiles, options}.findings(passes);
 }
 

@@ -240,6 +240,7 @@ private:
 
 TileCheckResult checkFloor(const floor::Site& site, const std::vector<PlacedRead>& reads,
                            const TileCheckOptions& options) {
+  if (reads.empty()) return {{}, std::vector<TileState>(site.placements.size(), TileState::Untouched)};
   TileCheck check{site, reads, options};
   TileCheckResult result{check.suspects(), {}};
   result.states = check.states(site, result.suspects);

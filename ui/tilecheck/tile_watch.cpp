@@ -86,6 +86,7 @@ void TileWatch::check() {
 
 std::vector<TileMark> TileWatch::marks() const {
   std::vector<TileMark> marks;
+  if (collector_.reads().empty()) return marks;
   const auto& site = checked_->site();
   std::unordered_map<std::string_view, const floor::TileType*> types;
   for (const auto& type : site.tileTypes) types.emplace(type.name, &type);
