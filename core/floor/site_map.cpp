@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "floor/tag_change.h"
+
 namespace tessera::floor {
 namespace {
 
@@ -42,10 +44,15 @@ Result<std::shared_ptr<const SiteMap>> SiteMap::rebuild(Site site, const SiteMap
     if (const auto* added = newAmong((*map)->contradictions_, before.contradictions_)) return refusal(*added);
     return map;
   }
-  if (change.movesTags()) return build(std::move(site), ambiguity);
+  auto table = before.table_;
+  if (change.movesTags()) {
+    const auto tags = tagChange(before.site_, site, change);
+    table = tags ? table->changed(tags->removed, tags->added) : nullptr;
+    if (!table) return build(std::move(site), ambiguity);
+  }
   Contradictions told = doubledNames(site);
   if (!told.empty() && ambiguity == Ambiguity::Refused) return refusal(told.front());
-  return with(std::move(site), before.table_, std::move(told));
+  return with(std::move(site), std::move(table), std::move(told));
 }
 
 std::shared_ptr<const SiteMap> SiteMap::with(Site site, std::shared_ptr<const TagTable> table, Contradictions told) {

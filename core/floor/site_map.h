@@ -29,8 +29,8 @@ public:
   [[nodiscard]] static Result<std::shared_ptr<const SiteMap>> build(Site site,
                                                                     Ambiguity ambiguity = Ambiguity::Refused);
   /// The same for the site that `change` makes of the one of `before`: what the change leaves alone is not looked at,
-  /// and where it leaves the tags alone both maps share their table. What is ambiguous in `before` already may stay so
-  /// while it is mended step by step; something new is refused.
+  /// and the table of tags is shared, or mended where a few tags moved. What is ambiguous in `before` already may stay
+  /// so while it is mended step by step; something new is refused.
   [[nodiscard]] static Result<std::shared_ptr<const SiteMap>> rebuild(Site site, const SiteMap& before,
                                                                       const SitePatch& change,
                                                                       Ambiguity ambiguity = Ambiguity::Refused);
