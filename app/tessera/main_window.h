@@ -152,7 +152,7 @@ private:
   bool commissioning_ = false;  ///< the wizard takes the keys up itself
   bool unasked_ = false;
   bool routeBusy_ = false;  ///< as the marks were last put down
-  bool open_ = false;  // a site stands in the document
+  bool open_ = false;       // a site stands in the document
   QLabel* place_;
   QLabel* hint_;
   QToolButton* faults_;

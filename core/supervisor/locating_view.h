@@ -21,7 +21,7 @@ struct LocatingView {
   static constexpr std::size_t kWay = 8;
 
   VehicleId vehicle;
-  std::string locator;  ///< its name
+  std::string locator;    ///< its name
   locate::Motion motion;  ///< the last report's
   // As of that report.
   Seconds at;

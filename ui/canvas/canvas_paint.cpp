@@ -72,8 +72,8 @@ void FloorCanvas::paintEvent(QPaintEvent* event) {
   if (view_.devicePixelRatio() != devicePixelRatioF()) view_.resize(size(), devicePixelRatioF());
   const Ground under = ground();
   ground_.prepare(under);
-  // A small floor is complete at once, a larger one goes on between frames: a frame that draws on as well would be too long.
-  // A part of the window cannot be given another picture than the rest.
+  // A small floor is complete at once, a larger one goes on between frames: a frame that draws on as well would be too
+  // long. A part of the window cannot be given another picture than the rest.
   if (!ground_.isWorking() && event->region().boundingRect() == rect()) ground_.work(under, kSlice);
   if (!ground_.settled()) drawing_.start();
   QPainter painter{this};

@@ -12,7 +12,7 @@
 namespace tessera::ui {
 namespace {
 
-constexpr double kMargin = 128.0;      // logical pixels; whole device pixels at every usual ratio
+constexpr double kMargin = 128.0;     // logical pixels; whole device pixels at every usual ratio
 constexpr int kStripPixels = 60'000;  // of the floor in one go: at most some two milliseconds of drawing
 
 QPoint onDevicePixels(QPointF logical, double ratio) {

@@ -113,8 +113,7 @@ void SiteDialog::retranslate() {
   nameLabel_.setText(tr("&Name:"));
   northLabel_.setText(tr("&Bearing of the y axis:"));
   north_.setSuffix(tr("°"));
-  northHint_.setText(
-      tr("Clockwise from north, as a compass shows it when held along the y axis. 0°: y points north."));
+  northHint_.setText(tr("Clockwise from north, as a compass shows it when held along the y axis. 0°: y points north."));
   channelLabel_.setText(tr("Radio &channel:"));
   airLabel_.setText(tr("&Air rate:"));
   baudLabel_.setText(tr("Baud rate of the &module:"));
