@@ -99,7 +99,7 @@ void FleetSession::beginEnd() {
     finish();
     return;
   }
-  post(supervisor::StopAll{});
+  FleetSession::post(supervisor::StopAll{});
   patience_ = kPatienceMs;
   setState(State::Stopping);
   stopping_.start();
