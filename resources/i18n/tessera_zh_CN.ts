@@ -7239,6 +7239,10 @@ x %2 m，y %3 m</translation>
         <source>window, ports, database access</source>
         <translation>窗口、端口、数据库访问</translation>
     </message>
+    <message>
+        <source>areas of zones and tiles</source>
+        <translation>区域和地砖的面积</translation>
+    </message>
 </context>
 <context>
     <name>tessera::ui::TileCheckPanel</name>

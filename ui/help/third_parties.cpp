@@ -1,5 +1,7 @@
 #include "ui/help/third_parties.h"
 
+#include <polyclipping/clipper.hpp>
+
 namespace tessera::ui {
 
 QString ThirdParties::programVersion() { return QStringLiteral(TESSERA_VERSION); }
@@ -13,6 +15,7 @@ std::vector<ThirdParty> ThirdParties::all(const QString& sqliteVersion) {
       {"Eigen", QStringLiteral(TESSERA_EIGEN_VERSION), "MPL-2.0", tr("matrices")},
       {"JSON for Modern C++", QStringLiteral(TESSERA_JSON_VERSION), "MIT", tr("site files")},
       {"tl::expected", QStringLiteral(TESSERA_EXPECTED_VERSION), "CC0-1.0", tr("results or errors")},
+      {"Clipper", QStringLiteral(CLIPPER_VERSION), "BSL-1.0", tr("areas of zones and tiles")},
       {"CLI11", QStringLiteral(TESSERA_CLI11_VERSION), "BSD-3-Clause", tr("command lines")},
   };
 }
