@@ -126,6 +126,8 @@ void SiteDialog::retranslate() {
   }
   buttons_.button(QDialogButtonBox::Ok)->setText(tr("OK"));
   buttons_.button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
+  // A form gives a wrapped text too little height where the screen is small.
+  for (QLabel* hint : {&northHint_, &radioHint_}) hint->setMinimumHeight(hint->heightForWidth(hint->minimumWidth()));
   loose_.retranslate();
   showFrequency();
 }
