@@ -43,4 +43,17 @@ void layFlat(QCPLegend& legend) {
   legend.setMargins(QMargins{2, 2, 2, 2});
 }
 
+void layLegendAbove(QCustomPlot& plot) {
+  QCPLayoutGrid& rows = *plot.plotLayout();
+  rows.insertRow(0);
+  auto* above = new QCPLayoutGrid;
+  rows.addElement(0, 0, above);
+  above->addElement(0, 0, plot.legend);
+  above->addElement(0, 1, new QCPLayoutElement);  // takes what the legend does not need
+  above->setColumnStretchFactor(0, 0.001);
+  rows.setRowStretchFactor(0, 0.001);
+  plot.legend->setVisible(true);
+  layFlat(*plot.legend);
+}
+
 }  // namespace tessera::ui

@@ -18,5 +18,7 @@ void dressAxes(QCPAxisRect& axes, const PlotColours& colours, const QFont& font)
 void dressLegend(QCPLegend& legend, const PlotColours& colours, const QFont& font);
 /// A legend in one line.
 void layFlat(QCPLegend& legend);
+/// The plot's own legend in one line above its axes, at the left.
+void layLegendAbove(QCustomPlot& plot);
 
 }  // namespace tessera::ui

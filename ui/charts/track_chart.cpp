@@ -33,15 +33,7 @@ TrackChart::TrackChart(QWidget* parent)
   route_->setScatterSkip(0);
   vehicle_->setLineStyle(QCPGraph::lsNone);
   vehicle_->removeFromLegend();
-  plotLayout()->insertRow(0);
-  auto* above = new QCPLayoutGrid;
-  plotLayout()->addElement(0, 0, above);
-  above->addElement(0, 0, legend);
-  above->addElement(0, 1, new QCPLayoutElement);  // takes what the legend does not need
-  above->setColumnStretchFactor(0, 0.001);
-  plotLayout()->setRowStretchFactor(0, 0.001);
-  legend->setVisible(true);
-  layFlat(*legend);
+  layLegendAbove(*this);
   connect(this, &QCustomPlot::afterLayout, this, &TrackChart::fitToScale);
   connect(this, &QCustomPlot::mouseMove, this, &TrackChart::tip);
 }

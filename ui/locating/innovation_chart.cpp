@@ -30,15 +30,7 @@ InnovationChart::InnovationChart(QWidget* parent)
     at->setTypeX(QCPItemPosition::ptAxisRectRatio);
     at->setTypeY(QCPItemPosition::ptPlotCoords);
   }
-  plotLayout()->insertRow(0);
-  auto* above = new QCPLayoutGrid;
-  plotLayout()->addElement(0, 0, above);
-  above->addElement(0, 0, legend);
-  above->addElement(0, 1, new QCPLayoutElement);  // takes what the legend does not need
-  above->setColumnStretchFactor(0, 0.001);
-  plotLayout()->setRowStretchFactor(0, 0.001);
-  legend->setVisible(true);
-  layFlat(*legend);
+  layLegendAbove(*this);
   const int line = fontMetrics().height();
   setMinimumSize(12 * line, 7 * line);
 }
