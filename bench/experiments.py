@@ -45,7 +45,14 @@ def run(arguments, speed, seed):
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if not summary.exists():
         return {"error": (done.stderr or done.stdout).strip()}
-    return json.loads(summary.read_text())
+    figures = json.loads(summary.read_text())
+    if any(vehicle["samples"] == 0 for vehicle in figures["vehicles"]):
+        return {"error": "a vehicle never drove, so nothing was measured"}
+    return figures
+
+
+def seeds_of(arguments):
+    return range(arguments.first_seed, arguments.first_seed + arguments.seeds)
 
 
 def row(speed, name, results):
@@ -94,7 +101,7 @@ def print_limits(arguments, results):
           " off the end, worst seed | NEES (2 is honest) | consistent runs | mean speed ratio, worst seed |")
     print("| --- " * 10 + "|")
     for speed in arguments.speeds:
-        print(limits_row(speed, [results[(speed, seed)] for seed in range(1, arguments.seeds + 1)]))
+        print(limits_row(speed, [results[(speed, seed)] for seed in seeds_of(arguments)]))
 
 
 DIVERGED = 0.5  # m: with an error of more than this, at any time after its first place, a locator has diverged
@@ -106,7 +113,7 @@ def print_floors(arguments, results):
     print("| --- " * 8 + "|")
     diverged = 0
     for kind, (name, _, _) in enumerate(floors.KINDS):
-        good = [r for r in (results[(kind, seed)] for seed in range(1, arguments.seeds + 1)) if "error" not in r]
+        good = [r for r in (results[(kind, seed)] for seed in seeds_of(arguments)) if "error" not in r]
         lost = sum(r["position_error_max_m"] > DIVERGED for r in good)
         diverged += lost
         figures = [f"{100 * pick(r[figure] for r in good):.2f}" if good else "–"
@@ -124,7 +131,7 @@ def print_table(arguments, results):
           " p95, worst seed | cross-track RMS, cm | worst seed | reversals | mean speed ratio, worst seed |")
     print("| --- " * (10 if several else 9) + "|")
     for speed in arguments.speeds:
-        of_speed = [results[(speed, seed)] for seed in range(1, arguments.seeds + 1)]
+        of_speed = [results[(speed, seed)] for seed in seeds_of(arguments)]
         for i in range(max(1, len(arguments.drive))):
             name = arguments.drive[i].split("=")[0] if several else ""
             print(row(speed, name, [r["vehicles"][i] if "vehicles" in r else None for r in of_speed]))
@@ -145,7 +152,8 @@ def parse():
                         help="a vehicle and its route, instead of --route; may be repeated")
     parser.add_argument("--vehicle", choices=["qemu", "native"], default="qemu")
     parser.add_argument("--speeds", type=float, nargs="+", default=[0.05, 0.08, 0.12, 0.20], metavar="M_PER_S")
-    parser.add_argument("--seeds", type=int, default=5, help="seeds 1 to this many")
+    parser.add_argument("--seeds", type=int, default=5, help="this many seeds")
+    parser.add_argument("--first-seed", type=int, default=1, help="the first of them (default 1)")
     parser.add_argument("--jobs", type=int,
                         help="runs side by side; default: as many as cores, one less where they are in real time")
     parser.add_argument("--out", type=pathlib.Path, default=root / "out/experiments")
@@ -159,21 +167,21 @@ def parse():
     if arguments.jobs is None:
         cores = os.cpu_count() or 1
         arguments.jobs = cores if "--lockstep" in arguments.extra else max(1, cores - 1)
-    if arguments.jobs < 1 or arguments.seeds < 1:
-        parser.error("--jobs and --seeds begin at 1")
+    if arguments.jobs < 1 or arguments.seeds < 1 or arguments.first_seed < 1:
+        parser.error("--jobs, --seeds and --first-seed begin at 1")
     return arguments
 
 
 def main():
     arguments = parse()
     firsts = range(len(floors.KINDS)) if arguments.floors else arguments.speeds
-    cases = [(first, seed) for first in firsts for seed in range(1, arguments.seeds + 1)]
+    cases = [(first, seed) for first in firsts for seed in seeds_of(arguments)]
     drive = run_on_floor if arguments.floors else run
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         results = dict(zip(cases, pool.map(lambda case: drive(arguments, *case), cases)))
 
     print(f"Machine: {cpu_model()}, {os.cpu_count()} cores; {arguments.jobs} runs side by side; vehicle {arguments.vehicle};"
-          f" seeds 1 to {arguments.seeds}; options: {' '.join(arguments.extra) or 'none'}\n")
+          f" seeds {arguments.first_seed} to {arguments.first_seed + arguments.seeds - 1}; options: {' '.join(arguments.extra) or 'none'}\n")
     (print_floors if arguments.floors else print_limits if arguments.limits else print_table)(arguments, results)
     missing = [(case, r["error"]) for case, r in results.items() if "error" in r]
     for (speed, seed), error in missing:

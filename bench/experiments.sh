@@ -64,6 +64,8 @@ if [ "$part" != real ]; then
   done
   limits 'The same, compass noise 2 degrees, speed noise 5 %' limit-noise-5 --speeds 0.12 -- --lockstep --compass-noise 2 --speed-noise 0.05
   limits 'The same, speed noise 10 %' limit-noise-10 --speeds 0.12 -- --lockstep --compass-noise 2 --speed-noise 0.1
+  limits 'The same, speed noise 10 % that is as good as white at 10 Hz' limit-noise-white --speeds 0.12 -- --lockstep \
+    --compass-noise 2 --speed-noise 0.1 --speed-noise-time 0.05
   limits 'Polled every 0.2 s, air at 2.4 kbit/s, k = 1' limit-slow --speeds 0.12 -- --lockstep --air 2400 --air-factor 1 --poll 0.2
   limits 'The same, a fifth of the reads lost, 5 degrees of compass bias, slip' limit-rough --speeds 0.12 -- \
     --lockstep --air 2400 --air-factor 1 --poll 0.2 --detection 0.72 --compass-bias 5 --slip 0.1

@@ -124,6 +124,28 @@ BENCHMARK(saveOneRouteChanged)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
+// A tag is registered after the other, and each is on the disk before the next one.
+void saveOneTagMore(benchmark::State& state) {
+  floor::Site site = siteOf(static_cast<std::size_t>(state.range(0)));
+  Place place{true};
+  store::LastWritten last;
+  store::SiteStore sites{*place.database};
+  std::uint8_t number = 0;
+  const auto keep = [&] {
+    must(sites.save("k", floor::SiteMap::build(site, floor::Ambiguity::Carried).value(), 1, true, last));
+  };
+  keep();
+  for (auto _ : state) {
+    state.PauseTiming();
+    std::swap(site.tiles[number].uids[0], site.tiles[number + std::size_t{1}].uids[0]);
+    ++number;
+    const auto map = floor::SiteMap::build(site, floor::Ambiguity::Carried).value();
+    state.ResumeTiming();
+    must(sites.save("k", map, 1, true, last));
+  }
+}
+BENCHMARK(saveOneTagMore)->Arg(2'500)->Arg(40'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond)->UseRealTime();
+
 void loadSite(benchmark::State& state) {
   Place place{true};
   must(store::SiteStore{*place.database}.save("k", siteOf(static_cast<std::size_t>(state.range(0))), 1, true));

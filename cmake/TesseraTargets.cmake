@@ -9,8 +9,8 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
-# With CMAKE_UNITY_BUILD, which every target takes up, so many files are compiled in one go (docs/decisions/0011-build-time.md).
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 16 CACHE STRING "Files of a target that are compiled in one go")
+# With CMAKE_UNITY_BUILD, which every target takes up, the files of a target are compiled in one go (docs/decisions/0011-build-time.md).
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 0 CACHE STRING "Files of a target that are compiled in one go, 0: all")
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 
 if(NOT CMAKE_BUILD_TYPE)
@@ -57,9 +57,27 @@ function(tessera_library NAME)
   target_link_libraries(${target} ${scope} ${ARG_LIBS})
 endfunction()
 
+# tessera_moc(TARGET)
+# For a target with Q_OBJECT classes. CMake compiles moc's output apart from the rest, which reads Qt's headers once more for each target: in
+# a unity tree it is one of the files that are compiled in one go.
+function(tessera_moc TARGET)
+  set_target_properties(${TARGET} PROPERTIES AUTOMOC ON)
+  if(CMAKE_UNITY_BUILD)
+    set(mocs "${TARGET}_autogen/mocs_compilation.cpp")
+    set_source_files_properties("${CMAKE_CURRENT_BINARY_DIR}/${mocs}" PROPERTIES HEADER_FILE_ONLY ON)
+    file(CONFIGURE OUTPUT "${TARGET}_mocs.cpp" CONTENT "#include \"${mocs}\"\n" @ONLY)
+    set_source_files_properties("${CMAKE_CURRENT_BINARY_DIR}/${TARGET}_mocs.cpp" PROPERTIES SKIP_AUTOGEN ON)
+    target_sources(${TARGET} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/${TARGET}_mocs.cpp")
+    target_include_directories(${TARGET} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}")
+  endif()
+endfunction()
+
+add_custom_target(threaded_tests)
+
 # tessera_test(NAME SOURCES ... [DEPS ...] [LIBS ...] [LABELS ...])
 # A GoogleTest program whose cases ctest lists one by one. LABELS is one of unit (the default), scenario (closed loops,
-# seconds long), window, qemu (needs the ELF and the emulator, runs in real time).
+# seconds long), window, qemu (needs the ELF and the emulator, runs in real time); threads beside it says that more than
+# one thread runs in it, without Qt, which is what ThreadSanitizer is for.
 function(tessera_test NAME)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPS;LIBS;LABELS" ${ARGN})
   add_executable(${NAME} ${ARG_SOURCES})
@@ -74,6 +92,9 @@ function(tessera_test NAME)
   target_link_libraries(${NAME} PRIVATE tessera_options GTest::gtest GTest::gmock GTest::gtest_main ${ARG_LIBS})
   # What is tested is optimised; optimising the tests as well takes half as long again to compile.
   target_compile_options(${NAME} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O0>)
+  if("threads" IN_LIST ARG_LABELS)
+    add_dependencies(threaded_tests ${NAME})
+  endif()
   # An emulator needs the machine for itself: kept waiting, it sees wheels that do not turn. Other programs in real time
   # wait most of the time and need one processor when they do not: one of them at a time, beside what is quick.
   set(company RUN_SERIAL OFF)

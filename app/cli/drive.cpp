@@ -1,5 +1,6 @@
 // `tessera-cli drive`: supervises real vehicles (or any port that speaks like them) along routes, and tells what
 // happens.
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
@@ -44,15 +45,11 @@ int drive(const DriveWords& words) {
   spec.speed = MetresPerSecond{words.speed};
   spec.config.locator = words.estimator;
   spec.config.controller = words.controller;
-  std::vector<experiment::Assignment> assignments;
-  for (const std::string& word : words.drives) {
-    auto assignment = parseAssignment(word, **map);
-    if (!assignment) return complain(assignment.error().sentence, kBadInput);
-    spec.config.vehicles.push_back(assignment->vehicle);
-    assignments.push_back(*assignment);
-  }
-  spec.limit = words.limit > 0 ? Seconds{words.limit} : generousLimit(**map, assignments, spec.speed);
-  experiment::Recorder recorder{assignments};
+  const auto assignments = parseAssignments(words.drives, **map);
+  if (!assignments) return complain(assignments.error().sentence, kBadInput);
+  for (const experiment::Assignment& one : *assignments) spec.config.vehicles.push_back(one.vehicle);
+  spec.limit = words.limit > 0 ? Seconds{words.limit} : generousLimit(**map, *assignments, spec.speed);
+  experiment::Recorder recorder{*assignments};
   Result<RunEnd> end = RunEnd::TimeUp;
   {
     ProgressLine progress{words.quiet || words.json};
@@ -63,6 +60,8 @@ int drive(const DriveWords& words) {
     say(resultOf(recorder).dump(2));
   } else {
     say(recorder.progress() + ".");
+    if (*end == RunEnd::TimeUp)
+      say("The limit of " + std::to_string(std::lround(spec.limit.value())) + " s was over before all had arrived.");
   }
   if (*end == RunEnd::Interrupted) return kInterrupted;
   return *end == RunEnd::Finished ? kDone : kNotFinished;
@@ -78,12 +77,11 @@ void addDrive(CLI::App& app, Run& run) {
       ->add_option("--port", words->port,
                    "Port of the host's radio: a serial device, e.g. /dev/ttyUSB0, or a device server, tcp://HOST:PORT")
       ->required();
-  command->add_option("--drive", words->drives, "ID=ROUTE: a vehicle and its route; may be given several times")
-      ->required();
+  addDriveOption(*command, words->drives)->required();
   command->add_option("--speed", words->speed, "Speed asked for, m/s")
       ->check(CLI::Range(0.01, 2.0))
       ->capture_default_str();
-  command->add_option("--limit", words->limit, "Give up after so many seconds; default: three times the drive, and 60");
+  addLimitOption(*command, words->limit);
   addMethods(*command, words->estimator, words->controller);
   command->add_flag("--json", words->json, "Print the result as JSON");
   command->add_flag("--quiet", words->quiet, "No progress");

@@ -65,13 +65,10 @@ Result<Plan> planOf(const ExperimentWords& words) {
     if (plan.map->site().vehicles.empty()) return failure(words.world.site + " has no vehicle.");
     drives.push_back(std::to_string(plan.map->site().vehicles.front().id.value) + "=" + words.route);
   }
-  if (drives.empty()) return failure("Name a route with --route NAME, or vehicles and routes with --drive ID=ROUTE.");
-  for (const std::string& word : drives) {
-    auto assignment = parseAssignment(word, *plan.map);
-    if (!assignment) return tl::unexpected{assignment.error()};
-    plan.config.vehicles.push_back(assignment->vehicle);
-    plan.assignments.push_back(*assignment);
-  }
+  auto assignments = parseAssignments(drives, *plan.map);
+  if (!assignments) return tl::unexpected{assignments.error()};
+  plan.assignments = std::move(*assignments);
+  for (const experiment::Assignment& one : plan.assignments) plan.config.vehicles.push_back(one.vehicle);
   plan.config.locator = words.estimator;
   plan.config.controller = words.controller;
   plan.config.seed = words.world.seed;
@@ -166,6 +163,7 @@ nlohmann::json optionsOf(const ExperimentWords& words, const Plan& plan) {
     options["compass_bias_deg"] = degrees(body.compass.bias);
     options["slip"] = body.plant.slip;
     options["speed_noise"] = body.plant.speedNoise;
+    options["speed_noise_time_s"] = body.plant.speedNoiseMemory.value();
   }
   // Where the true poses were written says nothing about the run.
   world::WorldOptions world = words.world;
@@ -216,6 +214,8 @@ int experimentMain(ExperimentWords words) {
   if (words.lockstep && words.world.kind == world::Kind::Qemu) {
     return complain("An emulated vehicle runs in real time: leave out --lockstep, or take --vehicle native.", kUsage);
   }
+  if (words.route.empty() && words.drives.empty())
+    return complain("Name a route with --route NAME, or vehicles and routes with --drive ID=ROUTE.", kUsage);
   auto plan = planOf(words);
   if (!plan) return complain(plan.error().sentence, kBadInput);
   for (const auto& id : plan->config.vehicles) words.world.vehicles.push_back(id.value);
@@ -223,6 +223,8 @@ int experimentMain(ExperimentWords words) {
   std::filesystem::create_directories(words.out, error);
   if (error) return complain("The folder " + words.out + " could not be made: " + error.message() + ".", kCannotWrite);
   words.world.truth = words.out + "/truth.csv";
+  if (auto kept = experiment::writeWhole(words.world.truth, {}); !kept)
+    return complain(kept.error().sentence, kCannotWrite);
 
   experiment::Recorder recorder{plan->assignments};
   std::vector<std::string> complaints;
@@ -245,7 +247,7 @@ void addExperiment(CLI::App& app, Run& run) {
   auto words = std::make_shared<ExperimentWords>();
   command->add_option("SITE", words->world.site, "A *.tessera.json file")->required();
   command->add_option("--route", words->route, "Route for the site's first vehicle");
-  command->add_option("--drive", words->drives, "ID=ROUTE: a vehicle and its route; may be given several times");
+  addDriveOption(*command, words->drives);
   command->add_option("--speed", words->speed, "Speed asked for, m/s")
       ->check(CLI::Range(0.01, 2.0))
       ->capture_default_str();
@@ -256,7 +258,7 @@ void addExperiment(CLI::App& app, Run& run) {
   command->add_option("--firmware", words->world.firmware, "ELF for --vehicle qemu; default: beside this program");
   command->add_option("--out", words->out, "Folder for the results")->capture_default_str();
   addMethods(*command, words->estimator, words->controller);
-  command->add_option("--limit", words->limit, "Give up after so many seconds; default: three times the drive, and 60");
+  addLimitOption(*command, words->limit);
   command->add_flag("--lockstep", words->lockstep,
                     "Virtual time in one process, without a port: faster, and the same each time (native only)");
   command

@@ -1,6 +1,8 @@
 // tessera-cli: everything that Tessera does without a window.
 #include <CLI/CLI.hpp>
 #include <QApplication>
+#include <cstdio>
+#include <iostream>
 
 #include "app/cli/command.h"
 #include "app/cli/exit_codes.h"
@@ -36,5 +38,8 @@ int main(int argc, char** argv) {
     return asked == 0 ? kDone : kUsage;
   }
   QApplication application{argc, argv};
-  return run();
+  const int code = run();
+  // What could not be printed, on a full disk say, was not done.
+  const bool printed = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.flush().good();
+  return code == kDone && !printed ? complain("The result could not be printed.", kCannotWrite) : code;
 }

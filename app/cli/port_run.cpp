@@ -10,7 +10,9 @@
 #include <QTimer>
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <set>
 
 #include "app/cli/output.h"
@@ -71,6 +73,20 @@ private:
   const experiment::Recorder& recorder_;
   std::set<VehicleId> ordered_;
 };
+
+// The address in "ID=ROUTE"; nothing: the word has another form.
+std::optional<VehicleId> idOf(const std::string& word) {
+  const auto equals = word.find('=');
+  unsigned id = 0;
+  const char* end = word.data() + std::min(equals, word.size());
+  const auto [at, error] = std::from_chars(word.data(), end, id);
+  if (equals == std::string::npos || error != std::errc{} || at != end || id < 1 || id > 254) return std::nullopt;
+  return VehicleId{static_cast<std::uint8_t>(id)};
+}
+
+std::string noAssignment(const std::string& word) {
+  return "\"" + word + "\" is not a vehicle's address and a route, like 1=paper.";
+}
 
 }  // namespace
 
@@ -134,21 +150,44 @@ Seconds generousLimit(const floor::SiteMap& map, const std::vector<experiment::A
 }
 
 Result<experiment::Assignment> parseAssignment(const std::string& word, const floor::SiteMap& map) {
-  const auto equals = word.find('=');
-  unsigned id = 0;
-  const char* end = word.data() + std::min(equals, word.size());
-  const auto [at, error] = std::from_chars(word.data(), end, id);
-  if (equals == std::string::npos || error != std::errc{} || at != end || id < 1 || id > 254) {
-    return failure("\"" + word + "\" is not a vehicle's address and a route, like 1=paper.");
-  }
-  experiment::Assignment assignment{VehicleId{static_cast<std::uint8_t>(id)}, word.substr(equals + 1)};
+  const auto id = idOf(word);
+  if (!id) return failure(noAssignment(word));
+  experiment::Assignment assignment{*id, word.substr(word.find('=') + 1)};
   if (map.vehicle(assignment.vehicle) == nullptr) {
-    return failure("The site " + map.site().name + " has no vehicle with the address " + std::to_string(id) + ".");
+    return failure("The site " + map.site().name + " has no vehicle with the address " + std::to_string(id->value) +
+                   ".");
   }
   if (map.route(assignment.route) == nullptr) {
     return failure("The site " + map.site().name + " has no route called \"" + assignment.route + "\".");
   }
   return assignment;
+}
+
+Result<std::vector<experiment::Assignment>> parseAssignments(const std::vector<std::string>& words,
+                                                             const floor::SiteMap& map) {
+  std::vector<experiment::Assignment> assignments;
+  for (const std::string& word : words) {
+    auto one = parseAssignment(word, map);
+    if (!one) return tl::unexpected{std::move(one.error())};
+    const auto same = [&](const experiment::Assignment& other) { return other.vehicle == one->vehicle; };
+    if (std::any_of(assignments.begin(), assignments.end(), same))
+      return failure("Vehicle " + std::to_string(one->vehicle.value) + " is given two routes; it can drive one.");
+    assignments.push_back(std::move(*one));
+  }
+  return assignments;
+}
+
+CLI::Option* addDriveOption(CLI::App& command, std::vector<std::string>& words) {
+  return command.add_option("--drive", words, "ID=ROUTE: a vehicle and its route; may be given several times")
+      ->check([](const std::string& word) -> std::string { return idOf(word) ? "" : noAssignment(word); });
+}
+
+void addLimitOption(CLI::App& command, double& limit) {
+  command.add_option("--limit", limit, "Give up after so many seconds; default: three times the drive, and 60")
+      ->check(CLI::Range{0.1, 1e6})
+      ->check([](const std::string& word) -> std::string {  // the range lets "nan" through
+        return std::isfinite(std::strtod(word.c_str(), nullptr)) ? "" : word + " is no number of seconds.";
+      });
 }
 
 void addMethods(CLI::App& command, std::string& estimator, std::string& controller) {

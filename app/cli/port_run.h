@@ -38,6 +38,14 @@ enum class RunEnd { Finished, TimeUp, Interrupted };
 /// "ID=ROUTE" as given on the command line. Error: the word, and what is wrong with it on this site.
 [[nodiscard]] Result<experiment::Assignment> parseAssignment(const std::string& word, const floor::SiteMap& map);
 
+/// All of them. Error: that of a word, or a vehicle that is given two routes.
+[[nodiscard]] Result<std::vector<experiment::Assignment>> parseAssignments(const std::vector<std::string>& words,
+                                                                           const floor::SiteMap& map);
+
+/// --drive, whose words have the form ID=ROUTE, and --limit.
+CLI::Option* addDriveOption(CLI::App& command, std::vector<std::string>& words);
+void addLimitOption(CLI::App& command, double& limit);
+
 /// --estimator and --controller, each one of the names that there are; empty where not given.
 void addMethods(CLI::App& command, std::string& estimator, std::string& controller);
 

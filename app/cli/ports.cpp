@@ -1,10 +1,10 @@
 // `tessera-cli ports`: the serial ports of this machine.
-#include <QSerialPortInfo>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
 #include "app/cli/exit_codes.h"
 #include "app/cli/output.h"
+#include "host/serial_ports.h"
 
 namespace tessera::cli {
 
@@ -16,10 +16,11 @@ void addPorts(CLI::App& app, Run& run) {
   command->callback([json, &run] {
     run = [json] {
       nlohmann::json list = nlohmann::json::array();
-      for (const QSerialPortInfo& port : QSerialPortInfo::availablePorts()) {
-        list.push_back({{"port", port.systemLocation().toStdString()},
-                        {"description", port.description().toStdString()},
-                        {"manufacturer", port.manufacturer().toStdString()}});
+      for (const host::SerialPortFound& port : host::serialPorts()) {
+        list.push_back({{"port", port.port.toStdString()},
+                        {"description", port.description.toStdString()},
+                        {"manufacturer", port.manufacturer.toStdString()},
+                        {"built_in", port.builtIn}});
       }
       if (*json) {
         say(list.dump(2));
@@ -27,7 +28,9 @@ void addPorts(CLI::App& app, Run& run) {
       }
       if (list.empty()) say("No serial port was found. Is the radio's USB adapter plugged in?");
       for (const auto& port : list) {
-        say(port["port"].get<std::string>() + "  " + port["description"].get<std::string>());
+        const bool builtIn = port["built_in"].get<bool>();
+        say(port["port"].get<std::string>() + "  " +
+            (builtIn ? "built into this computer" : port["description"].get<std::string>()));
       }
       return kDone;
     };

@@ -19,6 +19,7 @@ using link::E32Parameters;
 struct RadioWords {
   std::string port;
   std::string site;
+  std::optional<int> address;
   std::optional<int> channel;
   std::optional<double> airRate;
   std::optional<int> baud;
@@ -100,6 +101,7 @@ int read(const RadioWords& words) {
 int write(const RadioWords& words) {
   auto wanted = words.site.empty() ? converse(words, std::nullopt) : ofSite(words.site);
   if (!wanted) return complain(wanted.error().sentence, words.site.empty() ? kNoPort : kBadInput);
+  if (words.address) wanted->address = static_cast<std::uint16_t>(*words.address);
   if (words.channel) wanted->channel = *words.channel;
   if (words.airRate) {
     const auto* const rate = std::find(link::kE32AirRates.begin(), link::kE32AirRates.end(), *words.airRate);
@@ -154,6 +156,8 @@ void addRadio(CLI::App& app, Run& run) {
   auto* writing = addPart(*radio, "write", "Write parameters into the module and read them back", words, write, run);
   writing->add_option("--site", words->site,
                       "Take them from this *.tessera.json file (default: as the module has them)");
+  writing->add_option("--address", words->address, "All modules of a channel share one; 0x0000 to 0xFFFF, usually 0")
+      ->check(CLI::Range(0, 0xFFFF));
   writing->add_option("--channel", words->channel, "410 MHz plus this many MHz")->check(CLI::Range(0, 31));
   writing->add_option("--air-rate", words->airRate, "bit/s on the air")
       ->check(CLI::IsMember{std::vector<double>(link::kE32AirRates.begin(), link::kE32AirRates.end())});

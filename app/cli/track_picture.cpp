@@ -56,6 +56,8 @@ Result<void> drawTracks(const floor::SiteMap& map, const std::vector<experiment:
 
 std::string sentenceOf(const experiment::Outcome& outcome) {
   const auto& m = outcome.metrics;
+  if (m.samples == 0)
+    return outcome.name + " never drove route " + outcome.assignment.route + ": there is nothing to measure.";
   char text[320];
   std::snprintf(text, sizeof text,
                 "%s %s route %s in %.1f s: position error %.2f cm mean, %.2f cm p95; cross-track %.2f cm RMS, "

@@ -29,26 +29,31 @@ std::ostream& operator<<(std::ostream& out, const Pose& p) {
 }  // namespace
 
 nlohmann::json toJson(const Metrics& m, bool finished) {
-  return {{"finished", finished},
-          {"duration_s", m.duration.value()},
-          {"position_error_mean_m", m.positionErrorMean.value()},
-          {"position_error_p95_m", m.positionErrorP95.value()},
-          {"position_error_max_m", m.positionErrorMax.value()},
-          {"heading_error_rms_rad", m.headingErrorRms.value()},
-          {"cross_track_rms_m", m.crossTrackRms.value()},
-          {"cross_track_max_m", m.crossTrackMax.value()},
-          {"cross_track_rms_off_corners_m", m.crossTrackRmsOffCorners.value()},
-          {"cross_track_max_off_corners_m", m.crossTrackMaxOffCorners.value()},
-          {"reversals", m.reversals},
-          {"mean_speed_ratio", m.meanSpeedRatio},
-          {"end_error_m", m.endError.value()},
-          {"located_share", m.locatedShare},
-          {"nees_mean", m.consistency.neesMean},
-          {"nees_low", m.consistency.low},
-          {"nees_high", m.consistency.high},
-          {"nees_independent_samples", m.consistency.independent},
-          {"consistent", m.consistency.holds()},
-          {"samples", m.samples}};
+  nlohmann::json figures = {{"finished", finished},
+                            {"duration_s", m.duration.value()},
+                            {"position_error_mean_m", m.positionErrorMean.value()},
+                            {"position_error_p95_m", m.positionErrorP95.value()},
+                            {"position_error_max_m", m.positionErrorMax.value()},
+                            {"heading_error_rms_rad", m.headingErrorRms.value()},
+                            {"cross_track_rms_m", m.crossTrackRms.value()},
+                            {"cross_track_max_m", m.crossTrackMax.value()},
+                            {"cross_track_rms_off_corners_m", m.crossTrackRmsOffCorners.value()},
+                            {"cross_track_max_off_corners_m", m.crossTrackMaxOffCorners.value()},
+                            {"reversals", m.reversals},
+                            {"mean_speed_ratio", m.meanSpeedRatio},
+                            {"end_error_m", m.endError.value()},
+                            {"located_share", m.locatedShare},
+                            {"nees_mean", m.consistency.neesMean},
+                            {"nees_low", m.consistency.low},
+                            {"nees_high", m.consistency.high},
+                            {"nees_independent_samples", m.consistency.independent},
+                            {"consistent", m.consistency.holds()},
+                            {"samples", m.samples}};
+  // Nothing measured is not nothing wrong.
+  if (m.samples == 0)
+    for (auto& [name, value] : figures.items())
+      if (name != "finished" && name != "samples") value = nullptr;
+  return figures;
 }
 
 Result<void> writeWhole(const std::string& file, const std::string& text) {

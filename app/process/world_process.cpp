@@ -25,7 +25,7 @@ QString worldProgram() {
 void WorldProcess::begin(const std::vector<std::string>& arguments) {
   QStringList words;
   for (const std::string& a : arguments) words << QString::fromStdString(a);
-  const QString program = worldProgram();
+  const QString program = program_.isEmpty() ? worldProgram() : program_;
   process_.setProcessChannelMode(QProcess::SeparateChannels);
   // Whatever it prints must be taken, or it blocks on a full pipe.
   connect(&process_, &QProcess::readyReadStandardOutput, this, &WorldProcess::takeOutput);
@@ -90,10 +90,16 @@ void WorldProcess::fail(const QString& sentence) {
 }
 
 void WorldProcess::takeComplaints() {
-  const QStringList lines = QString::fromUtf8(process_.readAllStandardError()).split(u'\n', Qt::SkipEmptyParts);
+  // A line comes in pieces where the pipe is full or the world is slow; its rest comes, or the world ends with it.
+  process_.setReadChannel(QProcess::StandardError);
+  QStringList lines;
+  while (process_.canReadLine() || (process_.state() == QProcess::NotRunning && process_.bytesAvailable() > 0))
+    lines << QString::fromUtf8(process_.readLine()).trimmed();
+  process_.setReadChannel(QProcess::StandardOutput);
   for (const QString& line : lines) {
-    said_ = (said_ + line.trimmed() + u' ').right(kMostSaid);
-    Q_EMIT complained(line.trimmed());
+    if (line.isEmpty()) continue;
+    said_ = (said_ + line + u' ').right(kMostSaid);
+    Q_EMIT complained(line);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QProcess>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -13,7 +14,8 @@ namespace tessera::process {
 class WorldProcess : public QObject {
   Q_OBJECT
 public:
-  using QObject::QObject;
+  /// Another program than the tessera-world that stands beside this one: for tests.
+  explicit WorldProcess(QString program = {}) : program_{std::move(program)} {}
   /// Asks the world to end and waits for it, at most some 15 s.
   ~WorldProcess() override;
 
@@ -46,6 +48,7 @@ private:
   void takeComplaints();
   [[nodiscard]] QString complaint();
 
+  QString program_;
   QProcess process_;
   std::string port_;
   QString failure_;

@@ -115,8 +115,8 @@ bool ExchangeFiles::exportTo(const QString& path) {
   return true;
 }
 
-void ExchangeFiles::savePictureAsking() {
-  ui::MapPictureDialog dialog{document_.map(), &window_};
+void ExchangeFiles::savePictureAsking(bool planShown) {
+  ui::MapPictureDialog dialog{document_.map(), planShown, &window_};
   if (dialog.exec() != QDialog::Accepted) return;
   QString path = QFileDialog::getSaveFileName(&window_, tr("Save the picture"), proposal(QStringLiteral(".pdf")),
                                               tr("Pictures (*.pdf *.svg *.png)"));

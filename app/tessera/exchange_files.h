@@ -25,7 +25,8 @@ public:
   /// By the ending: *.csv is the table of the tiles' tags, *.places.csv that of all tags with their places, *.lif.json
   /// a layout.
   bool exportTo(const QString& path);
-  void savePictureAsking();
+  /// planShown: the floor plan beneath the floor is to be seen just now.
+  void savePictureAsking(bool planShown);
 
 private:
   [[nodiscard]] QString proposal(const QString& suffix) const;

@@ -9,6 +9,7 @@
 
 #include "host/supervisor_thread.h"
 #include "store/site_store.h"
+#include "supervisor/parameter_texts.h"
 #include "ui/base/wording.h"
 
 namespace tessera::desktop {
@@ -124,7 +125,10 @@ void Keeper::onSaved(const QString& path) {
   const std::string old = key_;
   use(store::keyOfFile(path.toStdString()));
   // Under its new name it is another site; what the old file holds did not change.
-  if (!old.empty() && old != key_) store_->removeSite(old);
+  if (!old.empty() && old != key_) {
+    store_->removeSite(old);
+    store_->copyRevisions(old, key_);
+  }
   keepSite(false);
   if (old != key_) Q_EMIT keyChanged(QString::fromStdString(old));
 }
@@ -142,7 +146,8 @@ void Keeper::keepSite(bool differsFromFile) {
 void Keeper::note(const std::vector<supervisor::Event>& events) {
   std::vector<store::Note> notes;
   for (const auto& event : events)
-    notes.push_back({wallClock(event.time).toMSecsSinceEpoch(), document_.site().name, event});
+    if (!supervisor::isSample(event))
+      notes.push_back({wallClock(event.time).toMSecsSinceEpoch(), document_.site().name, event});
   store_->appendEvents(std::move(notes));
 }
 

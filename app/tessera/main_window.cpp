@@ -8,12 +8,15 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QScreen>
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QStyle>
 #include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
+#include <algorithm>
 #include <iostream>
 
 #include "app/tessera/backdrop_desk.h"
@@ -26,11 +29,13 @@
 #include "app/tessera/window_actions.h"
 #include "app/tessera/window_panels.h"
 #include "ui/calibrate/calibration.h"
+#include "ui/calibrate/compass_survey.h"
 #include "ui/canvas/floor_canvas.h"
 #include "ui/check/fault_watch.h"
 #include "ui/connect/start_page.h"
 #include "ui/fleet/run_panel.h"
 #include "ui/fleet/stop_all.h"
+#include "ui/fleet/stop_all_reach.h"
 #include "ui/help/help_key.h"
 #include "ui/help/help_topic.h"
 #include "ui/help/help_window.h"
@@ -41,6 +46,29 @@
 #include "ui/zone/zone_tool.h"
 
 namespace tessera::desktop {
+namespace {
+
+constexpr QSize kWishedSize{1280, 820};
+
+// A screen may be smaller than what is wished for, or than the one that the window was left on; or that one is gone.
+void bringOntoScreen(QWidget& window) {
+  if (window.windowState().testAnyFlags(Qt::WindowMaximized | Qt::WindowFullScreen)) return;
+  const QScreen* screen = QGuiApplication::screenAt(window.geometry().center());
+  const QRect room = (screen != nullptr ? screen : window.screen())->availableGeometry();
+  // The frame is there only once the window is shown.
+  const int title = window.style()->pixelMetric(QStyle::PM_TitleBarHeight);
+  const QRect inside = room.adjusted(0, title, 0, 0);
+  window.resize(window.size().boundedTo(inside.size()));
+  if (!window.testAttribute(Qt::WA_Moved)) return;  // the desktop gives it a place
+  QRect now = window.geometry();
+  const QPoint wanted{std::clamp(now.x(), inside.left(), std::max(inside.left(), inside.right() + 1 - now.width())),
+                      std::clamp(now.y(), inside.top(), std::max(inside.top(), inside.bottom() + 1 - now.height()))};
+  if (wanted == now.topLeft()) return;
+  now.moveTo(wanted);
+  window.setGeometry(now);  // not move(), which places the frame: the window would wander by it at each start
+}
+
+}  // namespace
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow{parent} {
   setObjectName(QStringLiteral("mainWindow"));
@@ -58,6 +86,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow{parent} {
   stopAll_ = new ui::StopAllButton{*session_};
   menuBar()->setCornerWidget(stopAll_, Qt::TopRightCorner);
   stopAllKey_ = new ui::StopAllKey{*session_, this};
+  new ui::StopAllReach{*stopAll_, *session_, stopAllKey_};
   connect(new ui::HelpKey{this}, &ui::HelpKey::pressed, this, &MainWindow::showHelp);
   buildStatusBar();
   joinSite();
@@ -101,6 +130,7 @@ MainWindow::~MainWindow() {
   watch_.reset();
   tileWatch_.reset();
   calibration_.reset();
+  survey_.reset();
   layTool_.reset();  // its panel looked at it
   delete takeCentralWidget();
   delete files_;
@@ -150,7 +180,8 @@ void MainWindow::buildStatusBar() {
 void MainWindow::restore() {
   setLanguage(settings_.language().isEmpty() ? Languages::ofSystem() : settings_.language());
   setAppearance(settings_.appearance());
-  if (!restoreGeometry(settings_.geometry())) resize(1280, 820);
+  if (!restoreGeometry(settings_.geometry())) resize(kWishedSize);
+  bringOntoScreen(*this);
   panels_->setShown(true);
   if (!restoreState(settings_.layout())) panels_->arrangeWhenShown();
   panels_->setShown(open_);

@@ -20,6 +20,7 @@ class QToolButton;
 
 namespace tessera::ui {
 class Calibration;
+class CompassSurvey;
 class CanvasTool;
 class FindBox;
 class MeasureTool;
@@ -136,6 +137,7 @@ private:
   std::unique_ptr<ui::TileWatch> tileWatch_;
   std::unique_ptr<TruthProbe> truth_;
   std::unique_ptr<ui::Calibration> calibration_;
+  std::unique_ptr<ui::CompassSurvey> survey_;
   std::unique_ptr<ui::RouteTool> routeTool_;
   std::unique_ptr<ui::MeasureTool> measureTool_;
   ui::FindBox* find_ = nullptr;

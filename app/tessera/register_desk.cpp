@@ -12,10 +12,11 @@ constexpr int kMostZooms = 40;
 
 RegisterDesk::RegisterDesk(ui::SiteDocument& document, Keeper& keeper, ui::FloorCanvas& canvas)
     : canvas_{canvas},
-      notes_{keeper, document},
+      notes_{keeper},
       registrar_{std::make_unique<ui::Registrar>(document, bench_, notes_)},
       panel_{new ui::RegisterPanel{*registrar_}},
       tool_{std::make_unique<ui::RegisterTool>(*registrar_, panel_->page())} {
+  registrar_->setSounder([this](ui::Registrar::Sound sound) { sounds_.play(sound); });
   connect(registrar_.get(), &ui::Registrar::changed, this, &RegisterDesk::follow);
   connect(panel_, &ui::RegisterPanel::showRequested, this, [this](const scan::PlaceName& place) {
     if (const auto point = tool_->mark(place)) show(*point);

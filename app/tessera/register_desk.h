@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/tessera/register_notes.h"
+#include "app/tessera/scan_sounds.h"
 #include "app/tessera/scan_workbench.h"
 #include "ui/register/register_panel.h"
 #include "ui/register/register_tool.h"
@@ -35,6 +36,7 @@ private:
   ui::FloorCanvas& canvas_;
   ScanWorkbench bench_;
   RegisterNotes notes_;
+  ScanSounds sounds_;
   std::unique_ptr<ui::Registrar> registrar_;
   QPointer<ui::RegisterPanel> panel_;
   std::unique_ptr<ui::RegisterTool> tool_;

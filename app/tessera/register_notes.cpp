@@ -8,8 +8,6 @@ namespace {
 
 constexpr int kForms = 4;
 constexpr int kOrders = 3;
-// Keeping the whole site at each tag pays while that takes no longer than holding the next one to the reader.
-constexpr std::size_t kTilesKeptAtOnce = 5000;
 
 QString wordOf(const scan::PlaceName& place) {
   return QString::number(place.tag) + QLatin1Char{' '} + QString::fromStdString(place.serial);
@@ -86,7 +84,7 @@ void RegisterNotes::keep(const std::optional<scan::Course>& course) {
     store_.setValue(at + "skipped", skipped);
   }
   store_.sync();
-  if (document_.site().tiles.size() <= kTilesKeptAtOnce) keeper_.keepNow();
+  keeper_.keepNow();
 }
 
 }  // namespace tessera::desktop

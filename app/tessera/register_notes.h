@@ -10,7 +10,7 @@ namespace tessera::desktop {
 
 class RegisterNotes : public ui::RegisterMemory {
 public:
-  RegisterNotes(Keeper& keeper, ui::SiteDocument& document) : keeper_{keeper}, document_{document} {}
+  explicit RegisterNotes(Keeper& keeper) : keeper_{keeper} {}
 
   [[nodiscard]] ui::ReaderChoice reader() const override;
   void setReader(const ui::ReaderChoice& reader) override;
@@ -23,7 +23,6 @@ private:
   [[nodiscard]] QString group() const;
 
   Keeper& keeper_;
-  ui::SiteDocument& document_;
   QSettings store_;
 };
 

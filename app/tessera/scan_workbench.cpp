@@ -1,21 +1,16 @@
 #include "app/tessera/scan_workbench.h"
 
-#include <QSerialPortInfo>
-
 #include "host/port_choice.h"
+#include "host/serial_ports.h"
 #include "ui/base/wording.h"
 
 namespace tessera::desktop {
 
 std::vector<ui::PortFound> portsFound() {
   std::vector<ui::PortFound> ports;
-  for (const QSerialPortInfo& info : QSerialPortInfo::availablePorts()) {
-    // Linux lists the sockets of plugs that no computer has had for years.
-    if (info.portName().startsWith(QLatin1String{"ttyS"}) && info.description().isEmpty() &&
-        !info.hasVendorIdentifier())
-      continue;
-    ports.push_back({info.systemLocation(), info.description(), false});
-  }
+  for (const host::SerialPortFound& found : host::serialPorts())
+    ports.push_back(
+        {found.port, found.builtIn ? ScanWorkbench::tr("built into this computer") : found.description, false});
   return ports;
 }
 

@@ -66,6 +66,7 @@ void WindowActions::makeAll() {
   tileCheck = make("tileCheck", "drive-check", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_D});
   locating = make("locating", "locating", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_L});
   calibrate = make("calibrate", "calibrate", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_K});
+  compass = make("compass", "compass", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_M});
   registerTags = make("registerTags", "tag", QKeySequence{Qt::CTRL | Qt::Key_T}, true);
   floorPlan = make("floorPlan", "plan", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_P}, true);
   layTiles = make("layTiles", "tile", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_T}, true);
@@ -115,7 +116,7 @@ void WindowActions::fillMenus(QMainWindow& window) {
   language_ = view_->addMenu(ui::icon(QStringLiteral("language")), QString{});
   appearance_ = view_->addMenu(QString{});
   vehicle_ = bar->addMenu(QString{});
-  vehicle_->addActions({commission, editVehicle, calibrate, jog});
+  vehicle_->addActions({commission, editVehicle, calibrate, compass, jog});
   vehicle_->addSeparator();
   vehicle_->addAction(stopAll);
   connection_ = bar->addMenu(QString{});

@@ -28,7 +28,7 @@ public:
   QAction *zoomIn, *zoomOut, *fit, *follow, *backdrop, *tags, *zones, *trails, *uncertainty, *grid, *faults;
   QAction *drawRoute, *editRoutes, *layTiles, *tileTypes, *browse;
   QAction *drawZone, *editZones, *showFaults, *showRevisions;
-  QAction *registerTags, *floorPlan, *tileCheck, *locating, *calibrate;
+  QAction *registerTags, *floorPlan, *tileCheck, *locating, *calibrate, *compass;
   QAction *connectPort, *disconnectPort, *radio;
   QAction *commission, *editVehicle, *jog, *stopAll;
   QAction *help, *about;

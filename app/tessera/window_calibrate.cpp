@@ -1,4 +1,4 @@
-// The calibration of readers and wheels in the main window: its panel beside the charts.
+// The calibrations of readers and wheels, and of the compass, in the main window: their panels beside the charts.
 #include <QDockWidget>
 
 #include "app/tessera/fleet_session.h"
@@ -6,6 +6,7 @@
 #include "app/tessera/window_actions.h"
 #include "app/tessera/window_panels.h"
 #include "ui/calibrate/calibrate_panel.h"
+#include "ui/calibrate/compass_panel.h"
 
 namespace tessera::desktop {
 
@@ -15,6 +16,10 @@ void MainWindow::joinCalibration() {
   panels_->addTool(*this, "calibrateDock", "calibrating", panel, "chartsDock");
   connect(actions_->calibrate, &QAction::triggered, this, [this, panel] { panels_->bringForward(panel); });
   connect(panel, &ui::CalibratePanel::refused, this, &MainWindow::tell);
+  survey_ = std::make_unique<ui::CompassSurvey>(*session_);
+  auto* compass = new ui::CompassPanel{*survey_, *session_, selection_, document_};
+  panels_->addTool(*this, "compassDock", "compass", compass, "chartsDock");
+  connect(actions_->compass, &QAction::triggered, this, [this, compass] { panels_->bringForward(compass); });
 }
 
 }  // namespace tessera::desktop

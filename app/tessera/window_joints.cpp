@@ -52,6 +52,7 @@ void MainWindow::joinSite() {
     open_ = true;
     useTool(nullptr);
     showSite();
+    showFleetState();
     canvas_->fit();  // it has its size only now
     const auto& site = document_.site();
     selection_.setVehicle(site.vehicles.empty() ? std::nullopt : std::optional{site.vehicles.front().id});
@@ -87,7 +88,9 @@ void MainWindow::joinFleet() {
   connect(session_, &ui::FleetLink::snapshotChanged, this, [this] {
     const auto snapshot = session_->latest();
     canvas_->setSnapshot(snapshot);
-    const auto port = snapshot ? ui::text(snapshot->port.sentence) : QString{};
+    // Without a picture of the fleet there is still the state of the session to tell.
+    if (!snapshot) return showFleetState();
+    const auto port = ui::text(snapshot->port.sentence);
     if (port != port_->text()) port_->setText(port);
   });
   connect(session_, &FleetSession::stateChanged, this, &MainWindow::showFleetState);
@@ -213,7 +216,7 @@ void MainWindow::showSite() {
                           actions_->drawZone,   actions_->showFaults, actions_->showRevisions, actions_->registerTags,
                           actions_->layTiles,   actions_->tileTypes,  actions_->connectPort,   actions_->radio,
                           actions_->commission, actions_->jog,        actions_->floorPlan,     actions_->tileCheck,
-                          actions_->locating,   actions_->calibrate})
+                          actions_->locating,   actions_->calibrate,  actions_->compass})
     action->setEnabled(open_);
   actions_->editVehicle->setEnabled(open_ && selection_.vehicle().has_value());
   faults_->setVisible(open_);
@@ -228,9 +231,11 @@ void MainWindow::showSite() {
 void MainWindow::showFleetState() {
   const auto state = session_->state();
   actions_->disconnectPort->setEnabled(state != FleetSession::State::Off);
+  port_->setToolTip({});
   switch (state) {
     case FleetSession::State::Off:
       port_->setText(tr("Not connected"));
+      port_->setToolTip(open_ ? tr("Connection › Connect… (Ctrl+K) takes the vehicles under supervision.") : QString{});
       break;
     case FleetSession::State::Starting:
       port_->setText(tr("The simulated world is being set up…"));

@@ -16,7 +16,8 @@ void MainWindow::joinLooking() {
   const auto& a = *actions_;
   connect(a.importFile, &QAction::triggered, exchange_, &ExchangeFiles::importAsking);
   connect(a.exportFile, &QAction::triggered, exchange_, &ExchangeFiles::exportAsking);
-  connect(a.mapPicture, &QAction::triggered, exchange_, &ExchangeFiles::savePictureAsking);
+  connect(a.mapPicture, &QAction::triggered, this,
+          [this] { exchange_->savePictureAsking(canvas_->layers().backdrop); });
   connect(a.find, &QAction::triggered, find_, &ui::FindBox::open);
   connect(find_, &ui::FindBox::chosen, this, [this](const ui::SiteBox& place) {
     canvas_->showPlace(place);

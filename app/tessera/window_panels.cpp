@@ -1,7 +1,9 @@
 #include "app/tessera/window_panels.h"
 
+#include <QChildEvent>
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QTabBar>
 #include <QTimer>
 #include <QUndoView>
 #include <algorithm>
@@ -28,6 +30,7 @@ WindowPanels::WindowPanels(QMainWindow& window, ui::FleetLink& fleet, ui::Select
   charts = new ui::LiveCharts{fleet, selection, document};
   events = new ui::EventPanel{fleet, selection, document};
   window.setDockNestingEnabled(true);
+  window.installEventFilter(this);
   window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   auto* vehicleDock = add(window, "vehiclesDock", "vehicles", Qt::BottomDockWidgetArea, vehicles);
   auto* chartDock = add(window, "chartsDock", "charts", Qt::BottomDockWidgetArea, charts);
@@ -52,6 +55,14 @@ WindowPanels::WindowPanels(QMainWindow& window, ui::FleetLink& fleet, ui::Select
   steps = new QUndoView{&document.undoStack()};
   addTool(window, "stepsDock", "exchange", steps);
   retranslate();
+}
+
+// The window makes its tab bars as it needs them, and would shorten names to a few letters: rather arrows at the end.
+bool WindowPanels::eventFilter(QObject* watched, QEvent* event) {
+  const auto* child = event->type() == QEvent::ChildPolished ? dynamic_cast<QChildEvent*>(event) : nullptr;
+  auto* tabs = child != nullptr ? qobject_cast<QTabBar*>(child->child()) : nullptr;
+  if (tabs != nullptr) tabs->setElideMode(Qt::ElideNone);
+  return QObject::eventFilter(watched, event);
 }
 
 QDockWidget* WindowPanels::add(QMainWindow& window, const char* name, const char* topic, Qt::DockWidgetArea area,

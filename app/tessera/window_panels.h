@@ -57,6 +57,9 @@ public:
   /// Heights and widths of a first start, when the panels are shown next.
   void arrangeWhenShown() { unarranged_ = true; }
 
+protected:
+  [[nodiscard]] bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
   QDockWidget* add(QMainWindow& window, const char* name, const char* topic, Qt::DockWidgetArea area, QWidget* content);
   void arrange(QMainWindow& window);

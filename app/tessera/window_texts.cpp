@@ -54,6 +54,7 @@ void WindowActions::retranslate() {
   showRevisions->setText(tr("Re&visions"));
   tileCheck->setText(tr("Dri&ve-over check…"));
   calibrate->setText(tr("Calibrate readers and &wheels…"));
+  compass->setText(tr("Calibrate the co&mpass…"));
   locating->setText(tr("Loc&ating of the vehicle…"));
   registerTags->setText(tr("Register &tags…"));
   floorPlan->setText(tr("Floor &plan…"));

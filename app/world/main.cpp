@@ -23,7 +23,8 @@ constexpr const char* kFooter =
     "\nWhen the port stands and the vehicles are switched on, one line of JSON tells so on standard output:\n"
     "  {\"port\": \"/dev/pts/3\", \"vehicles\": [{\"id\": 1, \"name\": \"V1\", \"kind\": \"native\"}]}\n"
     "Troubles that the world survives are told on standard error.\n\n"
-    "Exit codes: 0 ended as told; 2 wrong call; 3 a file cannot be read or contradicts itself, or a vehicle cannot be\n"
+    "Exit codes: 0 ended as told; 2 wrong call; 3 a file cannot be read or kept or contradicts itself, or a vehicle "
+    "cannot be\n"
     "set up from it; 4 no pseudo terminal; 5 a vehicle cannot be started; 6 an EEPROM cannot be kept.";
 
 struct ProcessOptions {
@@ -127,7 +128,7 @@ int runWorld(int argc, char** argv) {
   addWorldCast(app, options);
   addWorldConditions(app, options);
   app.add_option("--link", process.link, "Symbolic link to make to the port; goes with it");
-  app.add_option("--duration", process.duration, "End by itself after this many seconds")->check(CLI::PositiveNumber);
+  app.add_option("--duration", process.duration, "End by itself after this many seconds")->check(CLI::Range{0.01, 1e9});
   app.add_flag("--json", process.json, "Answer commands in JSON: {\"done\": ...} or {\"error\": ...}");
   app.add_flag("--with-parent", process.withParent, "End when standard input ends");
   app.set_version_flag("--version", TESSERA_VERSION);

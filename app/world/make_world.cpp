@@ -231,6 +231,7 @@ sim::BodyParameters bodyFor(const floor::VehicleSetup& setup, const WorldOptions
   if (o.radius) body.readers.radius = Metres{*o.radius};
   if (o.slip) body.plant.slip = *o.slip;
   if (o.speedNoise) body.plant.speedNoise = *o.speedNoise;
+  if (o.speedNoiseTime) body.plant.speedNoiseMemory = Seconds{*o.speedNoiseTime};
   // A sample's noise of n on one axis turns the field of strength B by n/B.
   if (o.compassNoise) body.compass.noise = sim::kEarthHorizontal * fromDegrees(*o.compassNoise).value();
   if (o.compassBias) body.compass.bias = fromDegrees(*o.compassBias);

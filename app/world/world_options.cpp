@@ -21,7 +21,9 @@ std::string text(double v) {
 
 void addWorldConditions(CLI::App& app, WorldOptions& o) {
   const CLI::Range probability{0.0, 1.0};
-  app.add_option("--seed", o.seed, "Chance of the whole world; the same seed repeats a run of native vehicles exactly")
+  app.add_option("--seed", o.seed,
+                 "Chance of the whole world: with the same seed all errors are drawn alike. In virtual time runs "
+                 "repeat exactly, in real time nearly")
       ->group("World")
       ->capture_default_str();
   app.add_option("--air-rate,--air", o.airRate, "Air rate of all radios in bit/s (default: the site's)")
@@ -65,6 +67,10 @@ void addWorldConditions(CLI::App& app, WorldOptions& o) {
                  "Standard deviation of a wandering slip of both wheels, a share (default 0)")
       ->group("World")
       ->check(CLI::Range{0.0, 0.5});
+  app.add_option("--speed-noise-time", o.speedNoiseTime,
+                 "Seconds over which that slip is forgotten (default 0.5); 0.05 is as good as white at 10 Hz")
+      ->group("World")
+      ->check(CLI::Range{0.01, 60.0});
   app.add_option("--compass-noise", o.compassNoise, "Standard deviation of one sample in degrees (default 0.6)")
       ->group("World")
       ->check(CLI::Range{0.0, 45.0});
@@ -144,6 +150,7 @@ std::vector<std::string> worldArguments(const WorldOptions& o) {
   maybe("--dead-tags", o.deadTags);
   maybe("--slip", o.slip);
   maybe("--speed-noise", o.speedNoise);
+  maybe("--speed-noise-time", o.speedNoiseTime);
   maybe("--compass-noise", o.compassNoise);
   maybe("--compass-bias", o.compassBias);
   maybe("--compass-spots", o.compassSpots);

@@ -8,11 +8,16 @@
 namespace tessera::drive {
 namespace {
 
-constexpr Metres kOnRoute{0.03};      // a vehicle this near to the start needs no way to it
-constexpr Metres kOffRoute{0.40};     // farther away it was carried, and is led back by a way of its own
-constexpr Metres kWindow{0.50};       // ahead of the progress, in which the nearest point is looked for
-constexpr Metres kBendWindow{0.06};   // over which a curve is taken to be even
-constexpr double kSurely = 2.0;       // standard deviations of the place within which a leg's speed holds
+constexpr Metres kOnRoute{0.03};     // a vehicle this near to the start needs no way to it
+constexpr Metres kOffRoute{0.40};    // farther away it was carried, and is led back by a way of its own
+constexpr Metres kWindow{0.50};      // ahead of the progress, in which the nearest point is looked for
+constexpr Metres kBendWindow{0.06};  // over which a curve is taken to be even
+constexpr double kSurely = 2.0;      // standard deviations of the place within which a leg's speed holds
+constexpr Metres kAtEnd{0.002};      // short of the end: no more worth moving for
+constexpr MetresPerSecond kInching{0.01};
+constexpr int kMostInches = 3;
+constexpr Seconds kShortestHold{0.05};
+constexpr Seconds kLongestHold{2.0};
 constexpr Radians kAligned{0.087};    // 5°: turning on the spot ends
 constexpr Radians kMisaligned{1.05};  // 60°: it stops and turns on the spot in the middle of a leg, too
 
@@ -39,6 +44,8 @@ void LookAheadFollower::layPath(Point from) {
   progress_ = Metres{};
   laid_ = true;
   turning_ = true;
+  stoodSince_.reset();
+  inching_ = false;
   if (guard_) guard_->laid(path_);
   // A vehicle that holds headings turns no faster than this without slowing down by itself.
   const VehicleAbility& ability = plan_.ability();
@@ -102,11 +109,55 @@ SpeedLimit LookAheadFollower::speedLimit(const PredictedState& predicted, Radian
   stretch = stricter(stretch, bends_.at(progress_, {}, delay, plan_));
   if (guard_) stretch = stricter(stretch, guard_->limits().at(progress_, doubt, delay, plan_));
   return plan_.at({path_.startOf(stop_) - progress_, stop_ == path_.legCount(), predicted.delay, predicted.state.sigma,
-                   error, stretch, gate - progress_});
+                   error, stretch, gate - progress_, predicted.state.headingSigma});
+}
+
+Metres LookAheadFollower::lookAheadHere(const PredictedState& predicted) const {
+  SpeedPlanOptions options = plan_.options();
+  const bool end = stop_ == path_.legCount() && path_.startOf(stop_) - progress_ < options.endApproach;
+  if (end) options.shortestLook = options.endLook;
+  return lookAhead(std::max(predicted.state.speed, options.creep), predicted.delay, plan_.ability(), options);
+}
+
+Decision LookAheadFollower::arrive(const PredictedState& predicted, Seconds now) {
+  const VehicleState& state = predicted.state;
+  const Point end = path_.at(path_.startOf(stop_));
+  const Radians along = path_.headingOf(stop_ - 1);
+  const Offset left = turned(end - state.pose.position, -along);
+  const bool sane = std::isfinite(predicted.delay.value());
+  const Seconds delay = sane ? std::clamp(predicted.delay, kShortestHold, kLongestHold) : kLongestHold;
+  if (!stoodSince_) {
+    stoodSince_ = now;
+    holding_ = state.pose.heading;
+  }
+  // Where it came to rest is told by a report that is made then; what it read on the last of the way comes with it.
+  const auto settled = [&] { return now - *stoodSince_ >= 2.0 * delay + plan_.options().settling; };
+  if (!inching_ && settled() && inched_ < kMostInches && left.x > kAtEnd) {
+    inching_ = true;
+    ++inched_;
+  }
+  if (inching_ && left.x > kAtEnd) {
+    // No farther than the next command can stop it.
+    Decision decision;
+    decision.target = end + turned({plan_.options().endLook, Metres{}}, along);
+    decision.command = {std::clamp(left.x / delay, kInching, plan_.options().creep),
+                        direction(decision.target - state.pose.position)};
+    decision.phase = Phase::OnLeg;
+    decision.speedReason = SpeedReason::End;
+    report(decision, state);
+    return decision;
+  }
+  if (std::exchange(inching_, false)) {
+    stoodSince_ = now;
+    holding_ = state.pose.heading;
+  }
+  finished_ = settled();
+  Decision standing = stand(finished_ ? Phase::Finished : Phase::OnLeg, holding_, state);
+  if (!finished_) standing.speedReason = SpeedReason::End;
+  return standing;
 }
 
 Decision LookAheadFollower::decide(const PredictedState& predicted, Seconds now) {
-  static_cast<void>(now);
   const VehicleState& state = predicted.state;
   const Point here = state.pose.position;
   if (finished_) return stand(Phase::Finished, holding_, state);
@@ -126,9 +177,7 @@ Decision LookAheadFollower::decide(const PredictedState& predicted, Seconds now)
   if (path_.startOf(stop_) - progress_ <= plan_.options().stopTolerance) {
     progress_ = path_.startOf(stop_);
     if (stop_ == path_.legCount()) {
-      finished_ = true;
-      holding_ = state.pose.heading;
-      return stand(Phase::Finished, holding_, state);
+      return arrive(predicted, now);
     }
     turning_ = true;
     findStop();
@@ -143,8 +192,7 @@ Decision LookAheadFollower::decide(const PredictedState& predicted, Seconds now)
     return stand(Phase::Waiting, holding_, state);
   }
 
-  const Metres look =
-      lookAhead(std::max(state.speed, plan_.options().creep), predicted.delay, plan_.ability(), plan_.options());
+  const Metres look = lookAheadHere(predicted);
   Decision decision;
   decision.target = aim(look);
   const bool curved = stop_ - begin_ > 1;

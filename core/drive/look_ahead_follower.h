@@ -3,6 +3,8 @@
 // never drives backwards and never turns back for a point that it has passed.
 #pragma once
 
+#include <optional>
+
 #include "drive/bends.h"
 #include "drive/route_follower.h"
 #include "drive/stretch_limits.h"
@@ -29,6 +31,9 @@ private:
   [[nodiscard]] Bends curve() const;
   [[nodiscard]] Radians holdOnCurve(const PredictedState& predicted, Radians course) const;
   [[nodiscard]] SpeedLimit speedLimit(const PredictedState& predicted, Radians error, Metres gate) const;
+  [[nodiscard]] Metres lookAheadHere(const PredictedState& predicted) const;
+  /// At the route's end: stands until it is known where it came to rest, and goes on to the end as slowly as it can.
+  [[nodiscard]] Decision arrive(const PredictedState& predicted, Seconds now);
   [[nodiscard]] Decision stand(Phase phase, Radians heading, const VehicleState& state) const;
   /// On the route, of the progress on the path; negative while the route is still to be reached.
   [[nodiscard]] Metres along() const { return progress_ - approach_ + skipped_; }
@@ -50,6 +55,9 @@ private:
   bool turning_ = true;
   bool waiting_ = false;
   bool finished_ = false;
+  std::optional<Seconds> stoodSince_;  ///< at the end
+  bool inching_ = false;
+  int inched_ = 0;
   Radians holding_;  ///< heading while it waits, and at the end
 };
 

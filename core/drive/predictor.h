@@ -14,8 +14,9 @@ struct VehicleState {
   Pose pose;
   MetresPerSecond speed;
   RadiansPerSecond turnRate;
-  Metres sigma;         ///< standard deviation of the place
-  bool located = true;  ///< false: the controller stands still
+  Metres sigma;            ///< standard deviation of the place
+  bool located = true;     ///< false: the controller stands still
+  Radians headingSigma{};  ///< standard deviation of the heading
 };
 
 /// The state expected at `until`, when commands were in force as listed (sorted by `from`; a later one takes over from

@@ -52,10 +52,19 @@ SpeedLimit SpeedPlan::at(const Situation& situation) const {
   cut(kStableShare * options_.longestLook.value() / delay, SpeedReason::Delay);
   const double doubt = (situation.sigma - options_.easySigma) / (options_.largestSigma - options_.easySigma);
   cut(limit.speed.value() * shareLeft(doubt), SpeedReason::Uncertainty);
+  const double askew =
+      (situation.headingSigma - options_.easyHeadingSigma) / (options_.largestHeadingSigma - options_.easyHeadingSigma);
+  cut(limit.speed.value() * (options_.leastByHeading + (1.0 - options_.leastByHeading) * shareLeft(askew)),
+      SpeedReason::Uncertainty);
   const double off = (std::abs(situation.headingError.value()) - kEasyHeading) / (kStopHeading - kEasyHeading);
   cut(limit.speed.value() * shareLeft(off), SpeedReason::Heading);
   cut(brakingSpeed(situation.toStop, MetresPerSecond{}, situation.delay, braking()).value(),
       situation.stopIsEnd ? SpeedReason::End : SpeedReason::Corner);
+  // Where the place is known well there is nothing to be gained by care.
+  const Metres approach = std::min(options_.endApproach, options_.endPerSigma * situation.sigma);
+  if (situation.stopIsEnd && approach > Metres{})
+    cut(brakingSpeed(situation.toStop - approach, options_.endSpeed, situation.delay, braking()).value(),
+        SpeedReason::End);
   cut(brakingSpeed(situation.toGate, MetresPerSecond{}, situation.delay, braking()).value(), SpeedReason::Gate);
   return limit;
 }

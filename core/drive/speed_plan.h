@@ -37,10 +37,20 @@ struct SpeedPlanOptions {
   double brakingShare = 0.5;    ///< of the vehicle's acceleration, used for planned braking
   MetresPerSecond creep{0.03};  ///< slowest speed short of standing; reaches a vertex in finite time
   Metres stopTolerance{0.008};  ///< a vertex counts as reached from here on: about the way that the braking still takes
-  Metres easySigma{0.03};       ///< up to this doubt about the place the speed is not cut
-  Metres largestSigma{0.12};    ///< from this doubt on it creeps
-  Metres shortestLook{0.15};    ///< look-ahead of the tracking law at low speed
-  Metres longestLook{0.60};     ///< and at most
+  /// The last of the way to the route's end is driven no faster than this, so that readers try more often on it and the
+  /// radio's delay is a shorter way; corners need no such care.
+  Metres endApproach{0.08};
+  MetresPerSecond endSpeed{0.04};
+  double endPerSigma = 10.0;       ///< and no longer than so many times the doubt about the place
+  Seconds settling{0.3};           ///< besides two delays: braking at the end, and the report that tells where that was
+  Metres easySigma{0.03};          ///< up to this doubt about the place the speed is not cut
+  Metres largestSigma{0.12};       ///< from this doubt on it creeps
+  Radians easyHeadingSigma{0.06};  ///< up to this doubt about the heading the speed is not cut
+  Radians largestHeadingSigma{0.12};  ///< from this doubt on it drives at ...
+  double leastByHeading = 0.4;        ///< ... this share of the speed: only driving tells it its heading
+  Metres shortestLook{0.15};          ///< look-ahead of the tracking law at low speed
+  Metres endLook{0.08};               ///< the same before the route's end
+  Metres longestLook{0.60};           ///< and at most
 };
 
 /// What the tracking law looks at, at this speed: as far as stability asks (vT/L <= 0.25, heading loop well damped).
@@ -63,6 +73,7 @@ public:
     /// What legs and slow zones allow, as StretchLimits has it.
     SpeedLimit stretch{MetresPerSecond{std::numeric_limits<double>::infinity()}, SpeedReason::Leg};
     Metres toGate{std::numeric_limits<double>::infinity()};  ///< way left to where it waits for others
+    Radians headingSigma{};                                  ///< doubt about the heading
   };
   [[nodiscard]] SpeedLimit at(const Situation& situation) const;
   /// Whether a vehicle stops where the line turns by this much.

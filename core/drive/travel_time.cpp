@@ -56,7 +56,8 @@ Seconds travelTime(const floor::Route& route, const VehicleAbility& ability, con
     leg = stop;
   }
   // The first command has to reach it and its arrival to be heard of; at corners what is late on either side overlaps.
-  if (line.legCount() > 0) seconds += 2.0 * delay.value() + ability.lag.value();
+  // At the end it stands until it knows where.
+  if (line.legCount() > 0) seconds += 4.0 * delay.value() + ability.lag.value() + options.settling.value();
   return Seconds{seconds};
 }
 

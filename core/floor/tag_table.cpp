@@ -24,19 +24,20 @@ void TagTable::sortIntoGrid(std::vector<PlacedTag> tags) {
   const auto byY = [](const PlacedTag& a, const PlacedTag& b) { return a.place.y < b.place.y; };
   const auto [west, east] = std::minmax_element(tags.begin(), tags.end(), byX);
   const auto [south, north] = std::minmax_element(tags.begin(), tags.end(), byY);
-  left_ = west->place.x.value();
-  bottom_ = south->place.y.value();
-  const double width = east->place.x.value() - left_;
-  const double height = north->place.y.value() - bottom_;
+  grid_.left = west->place.x.value();
+  grid_.bottom = south->place.y.value();
+  const double width = east->place.x.value() - grid_.left;
+  const double height = north->place.y.value() - grid_.bottom;
   // A cell of 0.3 m holds a few tags of any usual floor. Where tags lie far apart it grows, so that the grid never
   // has many more cells than there are tags.
   const double most = 2.0 * static_cast<double>(tags.size()) + 16.0;
-  cellSize_ = 0.3;
-  while ((std::floor(width / cellSize_) + 1.0) * (std::floor(height / cellSize_) + 1.0) > most) cellSize_ *= 1.5;
-  columns_ = static_cast<std::size_t>(width / cellSize_) + 1;
-  rows_ = static_cast<std::size_t>(height / cellSize_) + 1;
+  grid_.cellSize = 0.3;
+  while ((std::floor(width / grid_.cellSize) + 1.0) * (std::floor(height / grid_.cellSize) + 1.0) > most)
+    grid_.cellSize *= 1.5;
+  grid_.columns = static_cast<std::size_t>(width / grid_.cellSize) + 1;
+  grid_.rows = static_cast<std::size_t>(height / grid_.cellSize) + 1;
 
-  cellStart_.assign(columns_ * rows_ + 1, 0);
+  cellStart_.assign(grid_.columns * grid_.rows + 1, 0);
   for (const PlacedTag& tag : tags) ++cellStart_[cellOf(tag) + 1];
   for (std::size_t c = 1; c < cellStart_.size(); ++c) cellStart_[c] += cellStart_[c - 1];
   std::vector<std::uint32_t> next{cellStart_.begin(), cellStart_.end() - 1};
@@ -49,13 +50,15 @@ Result<void> TagTable::hashTags() {
   const std::size_t capacity = std::bit_ceil(2 * tags_.size() + 2);
   for (salt_ = 0; salt_ < 16; ++salt_) {
     std::size_t filled = 0;
-    table_.assign(capacity, 0);
+    table_.assign(capacity, {});
     while (filled < tags_.size()) {
-      const auto slot = freeSlot(tags_[filled].uid);
+      const PlacedTag& tag = tags_[filled];
+      const auto slot = freeSlot(tag.uid);
       if (!slot) break;
-      if (table_[*slot] != 0)
-        return failure(phrase("Core", "Tag %1 is registered at two places.").with(tags_[filled].uid.text()));
-      table_[*slot] = static_cast<std::uint32_t>(++filled);
+      if (!table_[*slot].uid.empty())
+        return failure(phrase("Core", "Tag %1 is registered at two places.").with(tag.uid.text()));
+      table_[*slot] = {tag.uid, tag.place};
+      ++filled;
     }
     if (filled == tags_.size()) return {};
   }
@@ -67,16 +70,14 @@ std::optional<std::size_t> TagTable::freeSlot(const TagUid& uid) const {
   const std::size_t mask = table_.size() - 1;
   std::size_t at = uid.hash(salt_) & mask;
   for (std::size_t probes = 0; probes <= longestProbe; ++probes, at = (at + 1) & mask)
-    if (table_[at] == 0 || tags_[table_[at] - 1].uid == uid) return at;
+    if (table_[at].uid.empty() || table_[at].uid == uid) return at;
   return std::nullopt;
 }
 
 std::optional<Point> TagTable::find(const TagUid& uid) const {
   const std::size_t mask = table_.size() - 1;
-  for (std::size_t at = uid.hash(salt_) & mask; table_[at] != 0; at = (at + 1) & mask) {
-    const PlacedTag& tag = tags_[table_[at] - 1];
-    if (tag.uid == uid) return tag.place;
-  }
+  for (std::size_t at = uid.hash(salt_) & mask; !table_[at].uid.empty(); at = (at + 1) & mask)
+    if (table_[at].uid == uid) return table_[at].place;
   return std::nullopt;
 }
 

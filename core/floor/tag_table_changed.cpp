@@ -4,21 +4,6 @@
 #include "floor/tag_table.h"
 
 namespace tessera::floor {
-namespace {
-
-// Tags from this one of the older table on, up to the next run, stand so much further along in the newer.
-struct Run {
-  std::size_t from;
-  std::ptrdiff_t shift;
-};
-
-std::ptrdiff_t shiftOf(const std::vector<Run>& runs, std::size_t index) {
-  const auto after = std::upper_bound(runs.begin(), runs.end(), index,
-                                      [](std::size_t wanted, const Run& run) { return wanted < run.from; });
-  return after == runs.begin() ? 0 : std::prev(after)->shift;
-}
-
-}  // namespace
 
 std::shared_ptr<const TagTable> TagTable::changed(std::span<const TagUid> removed,
                                                   std::span<const PlacedTag> added) const {
@@ -29,24 +14,25 @@ std::shared_ptr<const TagTable> TagTable::changed(std::span<const TagUid> remove
     return nullptr;
   std::vector<std::size_t> gone;
   for (const TagUid& uid : removed) {
-    const auto slot = freeSlot(uid);
-    if (!slot || table_[*slot] == 0) return nullptr;
-    gone.push_back(table_[*slot] - 1);
+    const auto place = find(uid);
+    if (!place) return nullptr;
+    gone.push_back(indexOf({uid, *place}));
   }
   std::sort(gone.begin(), gone.end());
   if (std::adjacent_find(gone.begin(), gone.end()) != gone.end()) return nullptr;
 
-  std::shared_ptr<TagTable> table{new TagTable{*this}};
-  for (const std::size_t index : gone) table->takeOut(index);
+  std::shared_ptr<TagTable> table{new TagTable};
+  table->grid_ = grid_;
+  table->cellStart_ = cellStart_;
+  table->table_ = table_;
+  table->salt_ = salt_;
+  for (const TagUid& uid : removed) table->takeOut(*table->freeSlot(uid));
   std::vector<PlacedTag> fresh{added.begin(), added.end()};
   std::stable_sort(fresh.begin(), fresh.end(),
                    [this](const PlacedTag& a, const PlacedTag& b) { return cellOf(a) < cellOf(b); });
 
   // Both lists are in the order of cells. A new tag stands behind those of its cell that were there before.
-  table->tags_.clear();
   table->tags_.reserve(count);
-  std::vector<Run> runs;
-  std::vector<std::size_t> places;  // of the new tags
   auto nextGone = gone.begin();
   auto nextFresh = fresh.begin();
   std::size_t at = 0;
@@ -55,13 +41,11 @@ std::shared_ptr<const TagTable> TagTable::changed(std::span<const TagUid> remove
     const std::size_t before = nextFresh == fresh.end() ? tags_.size() : cellStart_[cellOf(*nextFresh) + 1];
     const std::size_t end = std::min(stop, before);
     if (end > at) {
-      runs.push_back({at, static_cast<std::ptrdiff_t>(table->tags_.size()) - static_cast<std::ptrdiff_t>(at)});
       table->tags_.insert(table->tags_.end(), tags_.begin() + static_cast<std::ptrdiff_t>(at),
                           tags_.begin() + static_cast<std::ptrdiff_t>(end));
       at = end;
     }
     if (nextFresh != fresh.end() && before <= at) {
-      places.push_back(table->tags_.size());
       table->tags_.push_back(*nextFresh++);
     } else if (nextGone != gone.end() && *nextGone == at) {
       ++nextGone, ++at;
@@ -79,28 +63,31 @@ std::shared_ptr<const TagTable> TagTable::changed(std::span<const TagUid> remove
     table->cellStart_[cell + 1] += shift;
   }
 
-  for (std::uint32_t& entry : table->table_) {
-    if (entry != 0) entry = static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(entry) + shiftOf(runs, entry - 1));
-  }
-  for (const std::size_t place : places) {
-    const auto slot = table->freeSlot(table->tags_[place].uid);
-    if (!slot || table->table_[*slot] != 0) return nullptr;
-    table->table_[*slot] = static_cast<std::uint32_t>(place + 1);
+  for (const PlacedTag& tag : fresh) {
+    const auto slot = table->freeSlot(tag.uid);
+    if (!slot || !table->table_[*slot].uid.empty()) return nullptr;
+    table->table_[*slot] = {tag.uid, tag.place};
   }
   return table;
 }
 
+std::size_t TagTable::indexOf(const PlacedTag& tag) const {
+  std::size_t index = cellStart_[cellOf(tag)];
+  while (!(tags_[index].uid == tag.uid)) ++index;
+  return index;
+}
+
 // Closes the gap behind it: with linear probing no look-up may meet an empty slot before its tag.
-void TagTable::takeOut(std::size_t index) {
+void TagTable::takeOut(std::size_t slot) {
   const std::size_t mask = table_.size() - 1;
-  std::size_t gap = *freeSlot(tags_[index].uid);
-  for (std::size_t at = (gap + 1) & mask; table_[at] != 0; at = (at + 1) & mask) {
-    const std::size_t home = tags_[table_[at] - 1].uid.hash(salt_) & mask;
+  std::size_t gap = slot;
+  for (std::size_t at = (gap + 1) & mask; !table_[at].uid.empty(); at = (at + 1) & mask) {
+    const std::size_t home = table_[at].uid.hash(salt_) & mask;
     if (((at - home) & mask) < ((at - gap) & mask)) continue;  // it began its way behind the gap
     table_[gap] = table_[at];
     gap = at;
   }
-  table_[gap] = 0;
+  table_[gap] = {};
 }
 
 }  // namespace tessera::floor

@@ -32,4 +32,26 @@ private:
   std::unordered_map<std::string_view, const Tile*> bySerial_;
 };
 
+/// Finds the tile types of placements.
+class LaidTypes {
+public:
+  /// `site` has to stay as it is.
+  explicit LaidTypes(const Site& site) : tiles_{site.tiles} {
+    for (const TileType& type : site.tileTypes) types_.emplace(type.name, &type);
+  }
+
+  /// The type of the tile that lies there, looked for at `guess` first; null: the site has none of that serial number,
+  /// or not its type.
+  [[nodiscard]] const TileType* find(const Placement& placement, std::size_t guess) {
+    const Tile* tile = tiles_.find(placement.serial, guess);
+    if (tile == nullptr) return nullptr;
+    const auto found = types_.find(tile->type);
+    return found == types_.end() ? nullptr : found->second;
+  }
+
+private:
+  TileFinder tiles_;
+  std::unordered_map<std::string_view, const TileType*> types_;
+};
+
 }  // namespace tessera::floor

@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kCloudOutlier = 1e-3;        // chance that a read says nothing (mistimed, of another tag)
 constexpr double kCloudLeastVariance = 1e-8;  // m², rad²; nothing is known better than this
-constexpr double kResampleBelow = 0.5;        // share of effective particles (Liu, Chen 1995)
 
 /// e^v to 2e-4, for v in ±30: two to the whole part by the bits of a number, a polynomial for the rest.
 double quickExp(double v) {
@@ -28,11 +27,20 @@ double quickLogistic(double z) { return 1.0 / (1.0 + quickExp(z)); }
 ParticleCloud::ParticleCloud(const ParticleOptions& options, std::size_t readers, std::uint64_t key)
     : options_{options}, random_{key} {
   const std::size_t n = std::max<std::size_t>(options_.count, 2);
-  for (auto* values : {&x_, &y_, &bias_, &sinBias_, &inside_, &missed_, &scratch_}) values->assign(n, 0.0);
+  for (auto* values : {&x_, &y_, &bias_, &sinBias_, &inside_, &missed_, &scratch_, &wear_, &slip_, &fromX_, &fromY_})
+    values->assign(n, 0.0);
   for (auto* values : {&scale_, &cosBias_, &unrest_}) values->assign(n, 1.0);
   weight_.assign(n, 1.0 / static_cast<double>(n));
   pass_.assign(readers, std::vector<double>(n, 1.0));
   chosen_.assign(n, 0);
+  options_.levels = std::clamp<std::size_t>(options_.levels, 1, n);
+  mass_.assign(options_.levels, 0.0);
+  const double ratio = options_.mostUnrest / options_.leastUnrest;
+  for (std::size_t level = 0; level < options_.levels; ++level) {
+    const double up = level == 0 ? 0.0 : static_cast<double>(level) / static_cast<double>(options_.levels - 1);
+    std::fill(unrest_.begin() + static_cast<std::ptrdiff_t>(beginOf(level)), unrest_.end(),
+              options_.leastUnrest * std::pow(ratio, up));
+  }
 }
 
 void ParticleCloud::scatter(Point where, double sigma, double bias, double biasSigma) {
@@ -42,11 +50,27 @@ void ParticleCloud::scatter(Point where, double sigma, double bias, double biasS
     bias_[i] = bias + biasSigma * random_.normal();
     cosBias_[i] = std::cos(bias_[i]);
     sinBias_[i] = std::sin(bias_[i]);
-    unrest_[i] = options_.leastUnrest * std::pow(options_.mostUnrest / options_.leastUnrest, random_.uniform());
-    scale_[i] = 1.0 + unrest_[i] * random_.normal();
+    slip_[i] = unrest_[i] * random_.normal();
+    wear_[i] = options_.wear * random_.normal();
+    scale_[i] = 1.0 + wear_[i] + slip_[i];
   }
   std::fill(weight_.begin(), weight_.end(), 1.0 / static_cast<double>(size()));
   for (auto& pass : pass_) std::fill(pass.begin(), pass.end(), 1.0);
+  settle();
+}
+
+// Newly set: where the last motion must have begun.
+void ParticleCloud::settle() {
+  for (std::size_t i = 0; i < size(); ++i) {
+    fromX_[i] = x_[i] - scale_[i] * (cosBias_[i] * lastWay_.x() + sinBias_[i] * lastWay_.y());
+    fromY_[i] = y_[i] - scale_[i] * (cosBias_[i] * lastWay_.y() - sinBias_[i] * lastWay_.x());
+  }
+}
+
+void ParticleCloud::beginMotion() {
+  fromX_ = x_;
+  fromY_ = y_;
+  lastWay_.setZero();
 }
 
 void ParticleCloud::scatterUnder(const Eigen::Vector2d& tag, const Eigen::Vector2d& lever, double radius, double bias,
@@ -58,49 +82,66 @@ void ParticleCloud::scatterUnder(const Eigen::Vector2d& tag, const Eigen::Vector
     x_[i] = tag.x() + away * std::cos(angle) - (cosBias_[i] * lever.x() + sinBias_[i] * lever.y());
     y_[i] = tag.y() + away * std::sin(angle) - (cosBias_[i] * lever.y() - sinBias_[i] * lever.x());
   }
+  settle();
 }
 
 void ParticleCloud::move(const CloudStep& step) {
   const double slip = options_.slipPerRootMetre * std::sqrt(step.way);
   const double across = std::hypot(slip, step.chord * options_.turnShare * step.turn);
   const double drift = std::hypot(options_.biasPerRootMetre * std::sqrt(step.way), options_.biasPerTurn * step.turn);
-  const double keep = std::exp(-step.way / options_.scaleLength);
+  // A vehicle that stands keeps its slip.
+  const double keep = step.way > 0.0 ? std::exp(-step.seconds / options_.scaleMemory) : 1.0;
   const double fresh = std::sqrt(1.0 - keep * keep);
   const double c = std::cos(step.heading);
   const double s = std::sin(step.heading);
+  lastWay_ += step.chord * Eigen::Vector2d{c, s};
   for (std::size_t i = 0; i < size(); ++i) {
-    // Half of the new bias acts on this step already: it changed on the way.
     const double dBias = drift * random_.normal();
+    // Half of the new bias acts on this step already: it changed on the way.
     const double cb = cosBias_[i] - 0.5 * dBias * sinBias_[i];
     const double sb = sinBias_[i] + 0.5 * dBias * cosBias_[i];
-    const double along = step.chord * scale_[i] + slip * random_.normal();
+    const double slipped = keep * slip_[i] + fresh * unrest_[i] * random_.normal();
+    const double scale = 1.0 + wear_[i] + 0.5 * (slip_[i] + slipped);
+    slip_[i] = slipped;
+    scale_[i] = 1.0 + wear_[i] + slipped;
+    const double along = step.chord * scale + slip * random_.normal();
     const double side = across * random_.normal();
     const double ch = c * cb + s * sb;
     const double sh = s * cb - c * sb;
     x_[i] += along * ch - side * sh;
     y_[i] += along * sh + side * ch;
     bias_[i] += dBias;
-    cosBias_[i] = std::cos(bias_[i]);
-    sinBias_[i] = std::sin(bias_[i]);
-    scale_[i] = 1.0 + keep * (scale_[i] - 1.0) + fresh * unrest_[i] * random_.normal();
+    // Turned on by the new bias, and kept at the length of 1.
+    const double cn = cosBias_[i] - dBias * sinBias_[i];
+    const double sn = sinBias_[i] + dBias * cosBias_[i];
+    const double unit = 1.5 - 0.5 * (cn * cn + sn * sn);
+    cosBias_[i] = cn * unit;
+    sinBias_[i] = sn * unit;
   }
 }
 
 void ParticleCloud::roughen(double sigma) {
   for (std::size_t i = 0; i < size(); ++i) {
-    x_[i] += sigma * random_.normal();
-    y_[i] += sigma * random_.normal();
+    const double dx = sigma * random_.normal();
+    const double dy = sigma * random_.normal();
+    x_[i] += dx;
+    y_[i] += dy;
+    fromX_[i] += dx;
+    fromY_[i] += dy;
   }
 }
 
 void ParticleCloud::inDisc(const ReaderThen& reader, const Eigen::Vector2d& tag, double radius) {
-  const double perRim = 1.0 / options_.rim;
+  const double perRim = 1.0 / std::hypot(options_.rim, reader.rim);
   for (std::size_t i = 0; i < size(); ++i) {
-    // The reader's place then is p + R(-bias)·(lever - scale·way): no particle is run through its past again.
-    const double ux = reader.lever.x() - scale_[i] * reader.way.x();
-    const double uy = reader.lever.y() - scale_[i] * reader.way.y();
-    const double dx = x_[i] + cosBias_[i] * ux + sinBias_[i] * uy - tag.x();
-    const double dy = y_[i] + cosBias_[i] * uy - sinBias_[i] * ux - tag.y();
+    // The reader's place then is p + R(-bias)·(lever - scale·way): no particle is run through its past again. What it
+    // did in its last motion is known better than by that.
+    const double ux = reader.lever.x() - scale_[i] * reader.before.x();
+    const double uy = reader.lever.y() - scale_[i] * reader.before.y();
+    const double px = x_[i] - reader.back * (x_[i] - fromX_[i]);
+    const double py = y_[i] - reader.back * (y_[i] - fromY_[i]);
+    const double dx = px + cosBias_[i] * ux + sinBias_[i] * uy - tag.x();
+    const double dy = py + cosBias_[i] * uy - sinBias_[i] * ux - tag.y();
     inside_[i] = quickLogistic((std::sqrt(dx * dx + dy * dy) - radius) * perRim);
   }
 }
@@ -159,46 +200,6 @@ void ParticleCloud::normalise(double sum) {
     return;
   }
   for (double& w : weight_) w /= sum;
-}
-
-void ParticleCloud::gather(std::vector<double>& values) {
-  for (std::size_t i = 0; i < size(); ++i) scratch_[i] = values[chosen_[i]];
-  values.swap(scratch_);
-}
-
-void ParticleCloud::resampleIfNeeded() {
-  const auto n = static_cast<double>(size());
-  double squares = 0.0;
-  for (const double w : weight_) squares += w * w;
-  if (squares * n * kResampleBelow < 1.0) return;
-  const Moments before = moments();
-  // Systematic: one random number, evenly spaced picks (Kitagawa 1996).
-  double below = weight_[0];
-  std::size_t from = 0;
-  const double first = random_.uniform();
-  for (std::size_t i = 0; i < size(); ++i) {
-    const double pick = (static_cast<double>(i) + first) / n;
-    while (pick > below && from + 1 < size()) below += weight_[++from];
-    chosen_[i] = from;
-  }
-  for (auto* values : {&x_, &y_, &bias_, &scale_, &unrest_}) gather(*values);
-  for (auto& pass : pass_) gather(pass);
-  std::fill(weight_.begin(), weight_.end(), 1.0 / n);
-  // Copies are moved apart by a kernel that keeps mean and spread (Liu, West 2001).
-  const double h = options_.roughening;
-  const double keep = std::sqrt(1.0 - h * h);
-  std::size_t k = 0;
-  for (auto* values : {&x_, &y_, &bias_, &scale_}) {
-    const auto index = static_cast<Eigen::Index>(k++);
-    const double mean = before.mean(index);
-    const double sigma = h * std::sqrt(std::max(0.0, before.covariance(index, index)));
-    for (double& v : *values) v = mean + keep * (v - mean) + sigma * random_.normal();
-  }
-  for (std::size_t i = 0; i < size(); ++i) {
-    cosBias_[i] = std::cos(bias_[i]);
-    sinBias_[i] = std::sin(bias_[i]);
-    unrest_[i] = std::clamp(unrest_[i] * (1.0 + h * random_.normal()), options_.leastUnrest, options_.mostUnrest);
-  }
 }
 
 std::vector<Point> ParticleCloud::sample(std::size_t most) const {

@@ -12,6 +12,7 @@ constexpr double kCloudMargin = 0.02;       // s before the instant up to which 
 constexpr double kCloudVague = 0.12;        // m; a place less known than this makes silence say nothing
 constexpr std::size_t kCloudMostTags = 8;   // near one reader
 constexpr double kCloudSpread = 3.5;        // deviations of the place within which tags matter
+constexpr double kCloudNoWay = 1e-6;        // m
 constexpr std::uint64_t kCloudKey = 0x7E55E2A;
 constexpr std::uint64_t kRivalKey = 0x51BA1;
 
@@ -66,15 +67,22 @@ void ParticleLocator::add(const Motion& motion) {
   }
   // One that comes late betters the picture of the past, not the present.
   if (motion.at.value() <= before || !placed_) return;
+  cloudFrom_ = before;
+  cloud_.beginMotion();
+  if (rivals_) rival_.beginMotion();
   odometry_.walk(before, motion.at.value(), [&](const Odometry::Sample& a, const Odometry::Sample& b) {
-    const double turn = b.heading - a.heading;
-    const double half = 0.5 * turn;
     const double travel = b.travel - a.travel;
+    const double pieces = std::ceil(std::max(1.0, std::abs(travel) / options_.longestPiece));
+    const double turn = (b.heading - a.heading) / pieces;
+    const double half = 0.5 * turn;
     // A run of even curvature is driven on an arc; its chord is what moves the place.
-    const double chord = travel * (std::abs(half) > 1e-4 ? std::sin(half) / half : 1.0);
-    const CloudStep step{chord, std::abs(travel), a.heading + half, turn};
-    cloud_.move(step);
-    if (rivals_) rival_.move(step);
+    const double chord = travel / pieces * (std::abs(half) > 1e-4 ? std::sin(half) / half : 1.0);
+    for (double i = 0.0; i < pieces; ++i) {
+      const CloudStep step{chord, std::abs(travel) / pieces, a.heading + (2.0 * i + 1.0) * half, turn,
+                           (b.at - a.at) / pieces};
+      cloud_.move(step);
+      if (rivals_) rival_.move(step);
+    }
   });
   drawIn();
 }
@@ -107,18 +115,29 @@ ReaderThen ParticleLocator::readerThen(int reader, double at) const {
   const Offset mount = turned(vehicle_.readers[static_cast<std::size_t>(reader)], Radians{sample.heading});
   ReaderThen result;
   result.lever = {mount.x.value(), mount.y.value()};
+  result.rim = std::abs(sample.speed) * options_.instant;
   const double now = odometry_.last().value();
-  const auto back = [&](const Odometry::Sample& a, const Odometry::Sample& b) {
-    const double heading = 0.5 * (a.heading + b.heading);
-    result.way += (b.travel - a.travel) * Eigen::Vector2d{std::cos(heading), std::sin(heading)};
-  };
-  if (then <= now) {
-    odometry_.walk(then, now, back);
+  result.way = wayBetween(then, now);
+  if (then < cloudFrom_) {
+    result.before = wayBetween(then, cloudFrom_);
+    result.back = 1.0;
+  } else if (then <= now) {
+    const double since = odometry_.at(now).travel - sample.travel;
+    const double whole = odometry_.at(now).travel - odometry_.at(cloudFrom_).travel;
+    result.back = std::abs(whole) > kCloudNoWay ? std::clamp(since / whole, 0.0, 1.0) : 0.0;
   } else {
-    odometry_.walk(now, then, back);
-    result.way = -result.way;
+    result.before = result.way;
   }
   return result;
+}
+
+Eigen::Vector2d ParticleLocator::wayBetween(double from, double to) const {
+  Eigen::Vector2d way = Eigen::Vector2d::Zero();
+  odometry_.walk(std::min(from, to), std::max(from, to), [&](const Odometry::Sample& a, const Odometry::Sample& b) {
+    const double heading = 0.5 * (a.heading + b.heading);
+    way += (b.travel - a.travel) * Eigen::Vector2d{std::cos(heading), std::sin(heading)};
+  });
+  return to < from ? Eigen::Vector2d{-way} : way;
 }
 
 void ParticleLocator::take(int reader, const Eigen::Vector2d& tag, double at) {

@@ -62,6 +62,8 @@ private:
   void judgeRival();
   void startFrom(int reader, const Eigen::Vector2d& tag, double at);
   void drawIn();
+  /// Driven between two instants, by the reported headings.
+  [[nodiscard]] Eigen::Vector2d wayBetween(double from, double to) const;
   [[nodiscard]] ReaderThen readerThen(int reader, double at) const;
   [[nodiscard]] bool standsSinceBelieved(double at) const;
 
@@ -86,6 +88,7 @@ private:
   double evidenceTravel_ = 0.0;  ///< odometer at the last read believed, or at the start
   double lostUntil_ = 0.0;       ///< its place was wrong, and it says so up to then
   double firstMotion_ = 0.0;
+  double cloudFrom_ = 0.0;  ///< instant at which the cloud's last motion began
   double toldFrom_ = 0.0;   ///< every event since then ...
   double toldUntil_ = 0.0;  ///< ... up to here has been told
 };

@@ -56,6 +56,7 @@ void ParticleLocator::contradicted(int reader, const Eigen::Vector2d& tag, doubl
     lead_ += leadOf(0.0, other);
     return judgeRival();
   }
+  rival_.moved(wayBetween(cloudFrom_, odometry_.last().value()));
   rival_.scatterUnder(tag, then.lever - then.way, radius, moments_.mean(2), kRivalBias);
   rivals_ = true;
   rivalReads_ = 1;
@@ -78,6 +79,7 @@ void ParticleLocator::judgeRival() {
 
 void ParticleLocator::startFrom(int reader, const Eigen::Vector2d& tag, double at) {
   const ReaderThen then = readerThen(reader, at);
+  cloud_.moved(wayBetween(cloudFrom_, odometry_.last().value()));
   cloud_.scatterUnder(tag, then.lever - then.way, vehicle_.readerRadius.value(), moments_.mean(2),
                       placed_ ? kRivalBias : options_.biasSigma);
   placed_ = true;

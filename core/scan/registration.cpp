@@ -1,38 +1,9 @@
 #include "scan/registration.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace tessera::scan {
-namespace {
-
-using Verdict = Answer::Verdict;
-
-std::string centimetres(Metres m) {
-  std::array<char, 32> text{};
-  const double whole = std::round(m.value() * 100.0) / 100.0;
-  std::snprintf(text.data(), text.size(), "%.2f", whole == 0.0 ? 0.0 : whole);
-  return text.data();
-}
-
-std::optional<PlaceName> tileWith(const floor::Site& site, const floor::TagUid& uid) {
-  for (const floor::Tile& tile : site.tiles) {
-    const auto found = std::find(tile.uids.begin(), tile.uids.end(), uid);
-    if (found != tile.uids.end()) return PlaceName{tile.serial, static_cast<std::size_t>(found - tile.uids.begin())};
-  }
-  return std::nullopt;
-}
-
-const floor::LooseTag* looseWith(const floor::Site& site, const floor::TagUid& uid) {
-  const auto found = std::find_if(site.looseTags.begin(), site.looseTags.end(),
-                                  [&](const floor::LooseTag& tag) { return tag.uid == uid; });
-  return found == site.looseTags.end() ? nullptr : &*found;
-}
-
-}  // namespace
 
 Registration::Registration(std::shared_ptr<const floor::SiteMap> map, Course course)
     : map_{std::move(map)}, course_{std::move(course)} {
@@ -90,9 +61,8 @@ void Registration::siteChanged(std::shared_ptr<const floor::SiteMap> map) {
     return;
   }
   bool undone = false;
-  while (!done_.empty() && !done_.back().uid.empty() && uidAt(site(), walk_[done_.back().stop]) != done_.back().uid) {
-    at_ = done_.back().stop;
-    done_.pop_back();
+  while (!done_.empty() && !stands(done_.back())) {
+    (void)takeOff();
     undone = true;
   }
   if (undone) {
@@ -105,54 +75,61 @@ void Registration::siteChanged(std::shared_ptr<const floor::SiteMap> map) {
   if (filled || (!at_ && !course_.again)) at_ = openFrom(at_.value_or(0));
 }
 
-Answer Registration::place(const TagRead& read) const {
-  const std::string uid = read.uid.text();
+// What differs on the tile of the place between the site as it was and as it is now.
+Registration::Done Registration::doneTo(const floor::Site& now) const {
   const Stop& here = walk_[*at_];
-  const PlaceName name = nameOf(site(), here);
-  if (const auto tile = tileWith(site(), read.uid)) {
-    if (*tile == name) return {Verdict::Confirmed};
-    return {Verdict::InUse,
-            phrase("Core", "Tag %1 is registered already, as tag %2 of tile \"%3\".")
-                .with(uid, tile->tag + 1, tile->serial),
-            tile};
+  Done done{*at_};
+  const std::size_t most = std::max(site().tiles[here.tile].uids.size(), now.tiles[here.tile].uids.size());
+  for (std::uint32_t n = 0; n < std::max<std::size_t>(most, here.tag + 1); ++n) {
+    const Stop stop{here.tile, n, std::nullopt};
+    Done::Tag tag{n, uidAt(site(), stop), uidAt(now, stop)};
+    if (n == here.tag || tag.before != tag.after) done.tags.push_back(tag);
   }
-  if (const floor::LooseTag* loose = looseWith(site(), read.uid))
-    return {Verdict::InUse, phrase("Core", "Tag %1 is registered already, as a loose tag at (%2, %3) m.")
-                                .with(uid, centimetres(loose->place.x), centimetres(loose->place.y))};
-  if (!read.place || !here.place || distance(*read.place, *here.place) <= kSamePlace) return {Verdict::Accepted};
-  const std::string x = centimetres(read.place->x);
-  const std::string y = centimetres(read.place->y);
-  const auto there = std::find_if(walk_.begin(), walk_.end(), [&](const Stop& stop) {
-    return stop.place && distance(*stop.place, *read.place) <= kSamePlace;
-  });
-  if (there == walk_.end())
-    return {Verdict::Elsewhere,
-            phrase("Core", "Tag %1 says that it lies at (%2, %3) m, %4 m from here, where no tag is to be registered.")
-                .with(uid, x, y, centimetres(distance(*read.place, *here.place)))};
-  const PlaceName other = nameOf(site(), *there);
-  return {Verdict::Elsewhere,
-          phrase("Core", "Tag %1 says that it lies at (%2, %3) m: that is tag %4 of tile \"%5\".")
-              .with(uid, x, y, other.tag + 1, other.serial),
-          other};
+  return done;
 }
 
-Answer Registration::offer(const TagRead& read, Seconds now) {
-  const bool sameVisit = read.uid == seen_ && now - seenAt_ <= kSameVisit;
-  seen_ = read.uid;
-  seenAt_ = now;
-  if (sameVisit || read.uid == last_) return {Verdict::Repeated};
-  if (!at_) return {Verdict::Finished, phrase("Core", "All places are registered or skipped.")};
-  return place(read);
+bool Registration::stands(const Done& done) const {
+  const std::uint32_t tile = walk_[done.stop].tile;
+  return std::all_of(done.tags.begin(), done.tags.end(), [&](const Done::Tag& tag) {
+    return uidAt(site(), {tile, tag.tag, std::nullopt}) == tag.after;
+  });
+}
+
+Registration::Done Registration::takeOff() {
+  Done done = std::move(done_.back());
+  done_.pop_back();
+  at_ = done.stop;
+  if (done.tags.empty()) skipped_[done.stop] = false;
+  for (const std::size_t stop : done.taken) skipped_[stop] = true;
+  return done;
 }
 
 void Registration::registered(std::shared_ptr<const floor::SiteMap> map, const floor::TagUid& uid, Seconds now) {
   if (!at_) return;
-  done_.push_back({*at_, uidAt(site(), walk_[*at_]), uid});
+  Done done = doneTo(map->site());
+  if (skipped_[*at_]) done.taken.push_back(*at_);
+  done_.push_back(std::move(done));
   map_ = std::move(map);
   pace_.registered(now);
   last_ = uid;
   skipped_[*at_] = false;
   moveOn();
+}
+
+void Registration::cleared(std::shared_ptr<const floor::SiteMap> map) {
+  if (!at_) return;
+  Done done = doneTo(map->site());
+  const std::uint32_t tile = walk_[*at_].tile;
+  map_ = std::move(map);
+  last_ = {};
+  at_.reset();
+  for (std::size_t i = 0; i < walk_.size(); ++i) {
+    if (walk_[i].tile != tile) continue;
+    if (!at_) at_ = i;
+    if (skipped_[i]) done.taken.push_back(i);
+    skipped_[i] = false;
+  }
+  done_.push_back(std::move(done));
 }
 
 void Registration::moveOn() {
@@ -167,7 +144,7 @@ void Registration::moveOn() {
 
 void Registration::skip() {
   if (!at_) return;
-  done_.push_back({*at_, {}, {}});
+  done_.push_back({*at_});
   skipped_[*at_] = true;
   last_ = {};
   moveOn();
@@ -202,17 +179,18 @@ void Registration::takeUpSkipped() {
   skipped_.assign(walk_.size(), false);
 }
 
-std::optional<Registration::Step> Registration::back() {
+std::vector<Put> Registration::back() {
   last_ = {};
   if (done_.empty()) {
     previous();
-    return std::nullopt;
+    return {};
   }
-  const Done done = done_.back();
-  done_.pop_back();
-  at_ = done.stop;
-  if (done.uid.empty()) skipped_[done.stop] = false;
-  return Step{nameOf(site(), walk_[done.stop]), done.before, !done.uid.empty()};
+  const Done done = takeOff();
+  const std::string& serial = site().tiles[walk_[done.stop].tile].serial;
+  std::vector<Put> puts;
+  for (const Done::Tag& tag : done.tags)
+    if (tag.before != tag.after) puts.push_back({{serial, tag.tag}, tag.before});
+  return puts;
 }
 
 Registration::Progress Registration::progress() const {

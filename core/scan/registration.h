@@ -24,16 +24,24 @@ struct Course {
 
 struct Answer {
   enum class Verdict {
-    Accepted,   ///< to be written into the site at the place, then registered() told
-    Confirmed,  ///< it is what stands there already
-    Repeated,   ///< the same card, still or again: nothing to say
-    InUse,      ///< registered elsewhere
-    Elsewhere,  ///< the tag itself says that it lies elsewhere
-    Finished,   ///< no place is left
+    Accepted,    ///< to be written into the site at the place, then registered() told
+    Confirmed,   ///< it is what stands there already
+    Repeated,    ///< the same card, still or again: nothing to say
+    InUse,       ///< registered elsewhere
+    OnThisTile,  ///< registered at another place of this tile: exchange() and anew() are what can be done about it
+    Elsewhere,   ///< the tag itself says that it lies elsewhere
+    Finished,    ///< no place is left
   };
   Verdict verdict = Verdict::Finished;
   Sentence sentence{};               ///< why not
-  std::optional<PlaceName> where{};  ///< InUse and Elsewhere, where it is a tile's place
+  std::optional<PlaceName> where{};  ///< InUse, OnThisTile and Elsewhere, where it is a tile's place
+};
+
+/// What is to stand at a place; empty: no tag is registered there.
+struct Put {
+  PlaceName place;
+  floor::TagUid uid;
+  bool operator==(const Put&) const = default;
 };
 
 class Registration {
@@ -57,6 +65,11 @@ public:
   [[nodiscard]] Answer offer(const TagRead& read, Seconds now);
   /// The UID that was accepted, or confirmed, stands in the site at this place: onwards. In place of siteChanged().
   void registered(std::shared_ptr<const floor::SiteMap> map, const floor::TagUid& uid, Seconds now);
+  /// A tag of this tile and what stands at this place take each other's places; when that is done it is registered().
+  [[nodiscard]] std::vector<Put> exchange(const floor::TagUid& uid) const;
+  /// No tag of this tile is registered any more, to read it from its first place on; when that is done it is cleared().
+  [[nodiscard]] std::vector<Put> anew() const;
+  void cleared(std::shared_ptr<const floor::SiteMap> map);
   void skip();
   /// To the neighbouring place in the order, registered or not. False: there is none.
   bool next();
@@ -66,14 +79,11 @@ public:
   void takeUpSkipped();
   void pause() { pace_.pause(); }
 
-  struct Step {
-    PlaceName place;
-    floor::TagUid before;  ///< what to put there again
-    bool wasRegistered = false;
-  };
-  /// One step back to where the last tag was registered or skipped. Nullopt: there is none behind; it went to the
-  /// previous place then.
-  [[nodiscard]] std::optional<Step> back();
+  /// One step back to where the last tag was registered, exchanged, skipped or its tile cleared. What is to be put into
+  /// the site again, nothing after a skip. Where no step is left it goes to the previous place.
+  [[nodiscard]] std::vector<Put> back();
+  /// What back() gave stands in the site again. In place of siteChanged().
+  void restored(std::shared_ptr<const floor::SiteMap> map) { map_ = std::move(map); }
 
   struct Progress {
     std::size_t places = 0;
@@ -87,10 +97,18 @@ public:
 
 private:
   struct Done {
-    std::size_t stop;
-    floor::TagUid before;
-    floor::TagUid uid;  ///< empty: skipped
+    std::size_t stop;  ///< where the walk stood
+    struct Tag {
+      std::uint32_t tag;
+      floor::TagUid before;
+      floor::TagUid after;
+    };
+    std::vector<Tag> tags{};           ///< of that stop's tile; none: it was skipped
+    std::vector<std::size_t> taken{};  ///< skipped places that were taken up
   };
+  [[nodiscard]] Done doneTo(const floor::Site& now) const;
+  [[nodiscard]] bool stands(const Done& done) const;
+  Done takeOff();
   [[nodiscard]] bool isOpen(std::size_t stop) const { return !skipped_[stop] && uidAt(site(), walk_[stop]).empty(); }
   [[nodiscard]] std::optional<std::size_t> find(const PlaceName& place) const;
   [[nodiscard]] std::optional<std::size_t> openFrom(std::size_t stop) const;

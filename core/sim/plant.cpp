@@ -51,7 +51,7 @@ double Plant::groundSpeed(Wheel& wheel, double dt) {
 
 void Plant::wander(double dt) {
   if (parameters_.speedNoise == 0.0) return;  // and no random number is drawn: other runs stay as they are
-  const double keep = std::exp(-dt / parameters_.slipMemory.value());
+  const double keep = std::exp(-dt / parameters_.speedNoiseMemory.value());
   commonSlip_ = keep * commonSlip_ + random_.normal(parameters_.speedNoise * std::sqrt(1.0 - keep * keep));
 }
 

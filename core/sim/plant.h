@@ -27,7 +27,8 @@ struct PlantParameters {
   double slip = 0.0;                      ///< mean share of the way lost at full-duty speed, less when slower
   double slipWander = 0.02;               ///< standard deviation of each wheel's slowly changing slip
   double speedNoise = 0.0;                ///< the same of both wheels together: a floor that gives way, wet tyres
-  Seconds slipMemory{0.5};                ///< correlation time of both
+  Seconds slipMemory{0.5};                ///< correlation time of each wheel's own
+  Seconds speedNoiseMemory{0.5};          ///< and of what they have in common; 0.05 s: as good as white at 10 Hz
   double wayNoise = 0.003;                ///< m, standard deviation of each wheel's way after one metre
 };
 

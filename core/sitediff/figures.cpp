@@ -7,6 +7,7 @@
 #include "base/polyline.h"
 #include "floor/laid_tile.h"
 #include "floor/route_legs.h"
+#include "floor/tile_finder.h"
 #include "region/region.h"
 
 namespace tessera::sitediff {
@@ -75,23 +76,21 @@ RouteFigures routeFigures(const floor::Route& route, const VehicleSetup& v, doub
 }
 
 void tiles(const Site& site, Figures& figures) {
-  std::unordered_map<std::string_view, const floor::TileType*> types;
-  std::unordered_map<std::string_view, std::size_t> tags;
-  for (const floor::TileType& t : site.tileTypes)
-    if (types.emplace(t.name, &t).second) tags[t.name] = tagOffsets(t).size();
-  std::unordered_map<std::string_view, const floor::Tile*> known;
-  for (const floor::Tile& t : site.tiles) known.emplace(t.serial, &t);
+  std::unordered_map<const floor::TileType*, std::size_t> tags;
+  for (const floor::TileType& t : site.tileTypes) tags[&t] = tagOffsets(t).size();
+  floor::LaidTypes types{site};
+  floor::TileFinder known{site.tiles};
   std::vector<Box> boxes;
-  for (const floor::Placement& p : site.placements) {
-    const auto tile = known.find(p.serial);
-    if (tile == known.end()) continue;
-    const auto type = types.find(tile->second->type);
-    if (type == types.end()) continue;
+  for (std::size_t n = 0; n < site.placements.size(); ++n) {
+    const floor::Placement& p = site.placements[n];
+    const floor::TileType* type = types.find(p, n);
+    if (type == nullptr) continue;
     ++figures.tilesLaid;
-    figures.tagPlaces += tags[type->first];
-    figures.registered += static_cast<std::size_t>(std::count_if(tile->second->uids.begin(), tile->second->uids.end(),
-                                                                 [](const floor::TagUid& u) { return !u.empty(); }));
-    boxes.push_back(boxOf(p, *type->second));
+    figures.tagPlaces += tags[type];
+    const auto& uids = known.find(p.serial, n)->uids;
+    figures.registered += static_cast<std::size_t>(
+        std::count_if(uids.begin(), uids.end(), [](const floor::TagUid& u) { return !u.empty(); }));
+    boxes.push_back(boxOf(p, *type));
   }
   figures.tilesKnown = site.tiles.size();
   figures.floorSquareMetres = Region::unionOf(boxes).squareMetres();

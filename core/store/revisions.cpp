@@ -80,6 +80,17 @@ void thinOut(Transaction& transaction, const std::string& key, const Revisions::
                        " UNION SELECT picture FROM revision UNION SELECT rest FROM revision)"));
 }
 
+// Nothing where there is something already. The parts are shared, so that it costs a few rows.
+void copyRows(Transaction& transaction, const std::string& from, const std::string& to) {
+  transaction.run(
+      QStringLiteral("INSERT INTO revision(key, saved_ms, who, what, found, floor, picture, rest, laid, moved,"
+                     " taken_up, tags, zones, routes, vehicles, others)"
+                     " SELECT ?, saved_ms, who, what, found, floor, picture, rest, laid, moved, taken_up,"
+                     " tags, zones, routes, vehicles, others FROM revision WHERE key=? AND NOT"
+                     " EXISTS(SELECT 1 FROM revision WHERE key=?) ORDER BY id"),
+      {toText(to), toText(from), toText(to)});
+}
+
 Revision revisionOf(const Statement& row) {
   Revision revision{row.whole(0), {row.whole(1), row.text(2), row.text(3), row.whole(4) != 0}, {}};
   const auto number = [&](int column) { return static_cast<int>(row.whole(column)); };
@@ -134,6 +145,31 @@ Result<bool> Revisions::add(const std::string& key, const floor::Site& site, con
   thinOut(writing, key, limits_);
   if (auto done = writing.commit(); !done) return tl::unexpected{done.error()};
   return true;
+}
+
+Result<void> Revisions::copy(const std::string& from, const std::string& to) {
+  Transaction writing{database_, Transaction::Kind::WriteThrough};
+  copyRows(writing, from, to);
+  return writing.commit();
+}
+
+Result<void> Revisions::adopt(const std::string& key, const floor::Site& site) {
+  Transaction writing{database_, Transaction::Kind::WriteThrough};
+  if (numberOf(writing, QStringLiteral("SELECT count(*) FROM revision WHERE key=?"), key) == 0) {
+    std::string from;
+    {
+      Statement row{writing,
+                    QStringLiteral("SELECT r.key FROM revision r JOIN revision_part f ON f.id=r.floor"
+                                   " JOIN revision_part p ON p.id=r.picture JOIN revision_part o ON o.id=r.rest"
+                                   " WHERE f.digest=? AND p.digest=? AND o.digest=? AND r.id=(SELECT max(id)"
+                                   " FROM revision n WHERE n.key=r.key) ORDER BY r.id DESC LIMIT 1")};
+      const auto digest = [&](Part part) { return digestOf(textOf(partOf(site, part))); };
+      row.run({digest(kParts[0]), digest(kParts[1]), digest(kParts[2])});
+      if (row.next()) from = row.text(0);
+    }
+    if (!from.empty()) copyRows(writing, from, key);
+  }
+  return writing.commit();
 }
 
 Result<std::vector<Revision>> Revisions::list(const std::string& key) const {

@@ -35,6 +35,12 @@ public:
   /// key: as in SiteStore. Beyond the limits those of the older half go that stand nearest to the one before them,
   /// never the first and never the newest: the past grows coarser, it has no end.
   [[nodiscard]] Result<bool> add(const std::string& key, const floor::Site& site, const RevisionNote& note);
+  /// Where nothing is kept under `to`, all that is kept under `from` is from now on kept there as well: the file went
+  /// on under another name. What stands in a file that is written over keeps its own past.
+  [[nodiscard]] Result<void> copy(const std::string& from, const std::string& to);
+  /// For a file that was opened: where nothing is kept under its key, and it is what the newest revision of another one
+  /// is, it is that one moved or copied, and takes its past along.
+  [[nodiscard]] Result<void> adopt(const std::string& key, const floor::Site& site);
   /// The newest first.
   [[nodiscard]] Result<std::vector<Revision>> list(const std::string& key) const;
   /// The site as its file would give it. Error: it is damaged, or no longer kept.

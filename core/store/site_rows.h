@@ -55,21 +55,28 @@ void rowsOf(const std::vector<floor::TileType>& types, Sink& sink) {
   }
 }
 
+// Of tiles and placements, of which there are many, also one by one.
+template <class Sink>
+void rowsOfOne(const floor::Tile& tile, std::size_t i, Sink& sink) {
+  const auto& [serial, type, uids] = tile;
+  sink.row(Table::Tile, i, serial, type);
+  for (std::size_t n = 0; n < uids.size(); ++n) sink.row(Table::Tag, i, n, uids[n]);
+}
+
+template <class Sink>
+void rowsOfOne(const floor::Placement& placement, std::size_t i, Sink& sink) {
+  const auto& [serial, origin, quarterTurns] = placement;
+  sink.row(Table::Placement, i, serial, origin.x.value(), origin.y.value(), quarterTurns);
+}
+
 template <class Sink>
 void rowsOf(const std::vector<floor::Tile>& tiles, Sink& sink) {
-  for (std::size_t i = 0; i < tiles.size(); ++i) {
-    const auto& [serial, type, uids] = tiles[i];
-    sink.row(Table::Tile, i, serial, type);
-    for (std::size_t n = 0; n < uids.size(); ++n) sink.row(Table::Tag, i, n, uids[n]);
-  }
+  for (std::size_t i = 0; i < tiles.size(); ++i) rowsOfOne(tiles[i], i, sink);
 }
 
 template <class Sink>
 void rowsOf(const std::vector<floor::Placement>& placements, Sink& sink) {
-  for (std::size_t i = 0; i < placements.size(); ++i) {
-    const auto& [serial, origin, quarterTurns] = placements[i];
-    sink.row(Table::Placement, i, serial, origin.x.value(), origin.y.value(), quarterTurns);
-  }
+  for (std::size_t i = 0; i < placements.size(); ++i) rowsOfOne(placements[i], i, sink);
 }
 
 template <class Sink>

@@ -1,8 +1,12 @@
 #include "store/site_store.h"
 
 #include <QUuid>
+#include <algorithm>
+#include <any>
 #include <map>
 #include <system_error>
+#include <type_traits>
+#include <utility>
 
 #include "store/row_sinks.h"
 
@@ -10,12 +14,14 @@ namespace tessera::store {
 namespace {
 
 constexpr std::string_view kUnsaved = "unsaved:";
+constexpr std::size_t kChangedShare = 32;  // of a section: beyond that it is quicker written whole
 constexpr const char* kKeptSites = "SELECT key, name, saved_ms, differs FROM site ";
 
-using Fingerprints = std::map<std::string, QByteArray, std::less<>>;
+using Marks = decltype(LastWritten::marks);
 
-Fingerprints fingerprintsOf(Transaction& transaction, qint64 site) {
-  Fingerprints all;
+// Fingerprints, or for what was changed in part, names that nothing else has.
+Marks marksOf(Transaction& transaction, qint64 site) {
+  Marks all;
   Statement sections{transaction, QStringLiteral("SELECT name, fingerprint FROM section WHERE site=?")};
   sections.run({site});
   while (sections.next()) all[sections.text(0)] = sections.value(1).toByteArray();
@@ -37,25 +43,99 @@ qint64 writeHead(Transaction& transaction, const std::string& key, const floor::
   return head.next() ? head.whole(0) : 0;
 }
 
-void writeSections(Transaction& transaction, qint64 id, const floor::Site& site) {
-  const Fingerprints old = fingerprintsOf(transaction, id);
+/// A site's sections by their names, as pointers to them; a picture goes by where its bytes lie.
+using Sections = std::map<std::string_view, std::any>;
+template <class Items>
+std::any sectionOf(const Items& items) {
+  return &items;
+}
+std::any sectionOf(const PictureBytes& picture) { return picture; }
+
+Sections sectionsOf(const floor::Site& site) {
+  Sections all;
+  forEachSection(site, [&](std::string_view name, const auto&, const auto& items) { all[name] = sectionOf(items); });
+  return all;
+}
+
+// Zeros of both signs are one: who reads the section back has the same site.
+template <class Items>
+bool same(const std::any& before, const Items& now) {
+  return *std::any_cast<const Items*>(before) == now;
+}
+bool same(const std::any& before, const PictureBytes& now) {
+  const auto was = std::any_cast<PictureBytes>(before).bytes;
+  return was.data() == now.bytes.data() && was.size() == now.bytes.size();
+}
+
+void removeRows(Transaction& transaction, qint64 id, Table table, const char* column, std::size_t number) {
+  transaction.run(QStringLiteral("DELETE FROM %1 WHERE site=? AND %2=?")
+                      .arg(toText(kTableNames[static_cast<std::size_t>(table)]), QLatin1String{column}),
+                  {id, static_cast<qint64>(number)});
+}
+void removeOne(Transaction& transaction, qint64 id, const floor::Tile&, std::size_t number) {
+  removeRows(transaction, id, Table::Tag, "tile", number);
+  removeRows(transaction, id, Table::Tile, "nr", number);
+}
+void removeOne(Transaction& transaction, qint64 id, const floor::Placement&, std::size_t number) {
+  removeRows(transaction, id, Table::Placement, "nr", number);
+}
+
+/// False: the section is better written whole.
+template <class Items>
+bool writeChanged(Transaction&, qint64, const std::any&, const Items&, InsertSink&) {
+  return false;
+}
+template <class Item>
+requires(std::is_same_v<Item, floor::Tile> || std::is_same_v<Item, floor::Placement>) bool writeChanged(
+    Transaction& transaction, qint64 id, const std::any& known, const std::vector<Item>& now, InsertSink& inserts) {
+  const auto& before = *std::any_cast<const std::vector<Item>*>(known);
+  const std::size_t most = now.size() / kChangedShare;
+  std::vector<std::size_t> changed;
+  for (std::size_t i = 0; i < std::max(before.size(), now.size()); ++i) {
+    if (i < before.size() && i < now.size() && before[i] == now[i]) continue;
+    if (changed.size() == most) return false;
+    changed.push_back(i);
+  }
+  for (const std::size_t i : changed) {
+    if (i < before.size()) removeOne(transaction, id, before[i], i);
+    if (i < now.size()) rowsOfOne(now[i], i, inserts);
+  }
+  return true;
+}
+
+/// Gives the marks that stand beside the sections then.
+Marks writeSections(Transaction& transaction, qint64 id, const floor::Site& site, const floor::Site* before,
+                    const Marks& marks) {
+  Marks all = marksOf(transaction, id);
+  const Sections known = before != nullptr ? sectionsOf(*before) : Sections{};
   InsertSink inserts{transaction, id};
   forEachSection(site, [&](std::string_view name, const auto& tables, const auto& items) {
     if (transaction.failed()) return;
-    FingerprintSink sink;
-    rowsOf(items, sink);
-    const QByteArray fingerprint = sink.result();
-    const auto kept = old.find(name);
-    if (kept != old.end() && kept->second == fingerprint) return;
-    for (const Table table : tables)
-      transaction.run(QStringLiteral("DELETE FROM ") + toText(kTableNames[static_cast<std::size_t>(table)]) +
-                          QStringLiteral(" WHERE site=?"),
-                      {id});
-    rowsOf(items, inserts);
+    const auto kept = all.find(name);
+    const auto own = marks.find(name);
+    // Nobody else has written: what was written last is what stands there.
+    const bool isKnown = before != nullptr && kept != all.end() && own != marks.end() && kept->second == own->second;
+    if (isKnown && same(known.at(name), items)) return;
+    QByteArray mark;
+    if (isKnown && writeChanged(transaction, id, known.at(name), items, inserts)) {
+      mark = QUuid::createUuid().toRfc4122();  // no fingerprint: whoever knows nothing of it writes the section anew
+    } else {
+      FingerprintSink sink;
+      rowsOf(items, sink);
+      mark = sink.result();
+      if (kept != all.end() && kept->second == mark) return;
+      for (const Table table : tables)
+        transaction.run(QStringLiteral("DELETE FROM ") + toText(kTableNames[static_cast<std::size_t>(table)]) +
+                            QStringLiteral(" WHERE site=?"),
+                        {id});
+      rowsOf(items, inserts);
+    }
     transaction.run(QStringLiteral("INSERT INTO section VALUES(?,?,?) ON CONFLICT DO UPDATE SET"
                                    " fingerprint=excluded.fingerprint"),
-                    {id, toText(name), fingerprint});
+                    {id, toText(name), mark});
+    all.insert_or_assign(std::string{name}, mark);
   });
+  return all;
 }
 
 KeptSite keptSite(const Statement& row) { return {row.text(0), row.text(1), row.whole(2), row.whole(3) != 0}; }
@@ -81,8 +161,21 @@ Result<void> SiteStore::save(const std::string& key, const floor::Site& site, st
                              bool differsFromFile) {
   Transaction writing{database_, Transaction::Kind::WriteThrough};
   const qint64 id = writeHead(writing, key, site, utcMs, differsFromFile);
-  writeSections(writing, id, site);
+  writeSections(writing, id, site, nullptr, {});
   return writing.commit();
+}
+
+Result<void> SiteStore::save(const std::string& key, std::shared_ptr<const floor::SiteMap> map, std::int64_t utcMs,
+                             bool differsFromFile, LastWritten& last) {
+  // Until all of it is on the disk, nothing is known of what is there.
+  const LastWritten before = std::exchange(last, {});
+  Transaction writing{database_, Transaction::Kind::WriteThrough};
+  const qint64 id = writeHead(writing, key, map->site(), utcMs, differsFromFile);
+  const bool known = before.key == key && before.map;
+  Marks marks = writeSections(writing, id, map->site(), known ? &before.map->site() : nullptr, before.marks);
+  if (auto done = writing.commit(); !done) return done;
+  last = {key, std::move(map), std::move(marks)};
+  return {};
 }
 
 Result<void> SiteStore::setDiffers(const std::string& key, bool differsFromFile) {

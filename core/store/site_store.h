@@ -2,13 +2,16 @@
 // or a fresh one while it has no file. Kept and loaded again it is the same site bit by bit.
 #pragma once
 
+#include <QByteArray>
 #include <cstdint>
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "floor/site.h"
+#include "floor/site_map.h"
 #include "store/database.h"
 
 namespace tessera::store {
@@ -29,6 +32,14 @@ struct KeptSite {
 /// A new key for a site that has no file yet.
 [[nodiscard]] std::string freshKey();
 
+/// What one writer wrote last, by which its next saving of the same site finds what has changed since, and writes that
+/// alone. The marks stand in the database beside each section: where another has written meanwhile they are others.
+struct LastWritten {
+  std::string key;
+  std::shared_ptr<const floor::SiteMap> map;
+  std::map<std::string, QByteArray, std::less<>> marks;
+};
+
 class SiteStore {
 public:
   explicit SiteStore(Database& database) : database_{database} {}
@@ -37,6 +48,9 @@ public:
   /// what is kept under this key, and nothing of the others.
   [[nodiscard]] Result<void> save(const std::string& key, const floor::Site& site, std::int64_t utcMs,
                                   bool differsFromFile);
+  /// The same, and of the tiles those that have changed since `last`, so that a tag of a large floor is kept at once.
+  [[nodiscard]] Result<void> save(const std::string& key, std::shared_ptr<const floor::SiteMap> map, std::int64_t utcMs,
+                                  bool differsFromFile, LastWritten& last);
   /// The site now stands in its file as well, or no longer.
   [[nodiscard]] Result<void> setDiffers(const std::string& key, bool differsFromFile);
   /// The site goes on under another key, e.g. after it was saved under another name. What was kept there is replaced.

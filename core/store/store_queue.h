@@ -41,7 +41,11 @@ struct AddRevision {
   std::shared_ptr<const floor::SiteMap> map;
   RevisionNote note;
 };
-using SiteChange = std::variant<KeepSite, SetDiffers, RenameSite, RemoveSite, AddRevision>;
+struct CopyRevisions {
+  std::string from;
+  std::string to;
+};
+using SiteChange = std::variant<KeepSite, SetDiffers, RenameSite, RemoveSite, AddRevision, CopyRevisions>;
 
 struct LoadSite {
   std::string key;

@@ -98,14 +98,18 @@ private:
     SiteStore sites{*database_};
     return std::visit(
         Overloaded{
-            [&](const KeepSite& c) { return sites.save(c.key, c.map->site(), c.utcMs, c.differsFromFile); },
+            [&](const KeepSite& c) { return sites.save(c.key, c.map, c.utcMs, c.differsFromFile, last_); },
             [&](const SetDiffers& c) { return sites.setDiffers(c.key, c.differsFromFile); },
             [&](const RenameSite& c) { return sites.rename(c.from, c.to); },
             [&](const RemoveSite& c) { return sites.remove(c.key); },
             [&](const AddRevision& c) -> Result<void> {
-              const auto added = Revisions{*database_}.add(c.key, c.map->site(), c.note);
+              Revisions revisions{*database_};
+              if (c.note.found)
+                if (auto adopted = revisions.adopt(c.key, c.map->site()); !adopted) return adopted;
+              const auto added = revisions.add(c.key, c.map->site(), c.note);
               return added ? Result<void>{} : tl::unexpected{added.error()};
             },
+            [&](const CopyRevisions& c) { return Revisions{*database_}.copy(c.from, c.to); },
         },
         change);
   }
@@ -162,6 +166,7 @@ private:
 
   StoreThread& owner_;
   std::unique_ptr<Database> database_;
+  LastWritten last_;
   bool failing_ = false;
   Clock::time_point nextTry_{};
   std::chrono::milliseconds pause_{0};
@@ -210,6 +215,10 @@ bool StoreThread::removeSite(std::string key) { return queue_.change(RemoveSite{
 
 bool StoreThread::addRevision(std::string key, std::shared_ptr<const floor::SiteMap> map, RevisionNote note) {
   return queue_.change(AddRevision{std::move(key), std::move(map), std::move(note)});
+}
+
+bool StoreThread::copyRevisions(std::string from, std::string to) {
+  return queue_.change(CopyRevisions{std::move(from), std::move(to)});
 }
 
 bool StoreThread::appendEvents(std::vector<Note> notes) { return queue_.note(std::move(notes)); }

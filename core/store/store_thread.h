@@ -46,8 +46,10 @@ public:
   bool setDiffers(std::string key, bool differsFromFile);
   bool renameSite(std::string from, std::string to);
   bool removeSite(std::string key);
-  /// As Revisions::add().
+  /// As Revisions::add(), and Revisions::adopt() before it for a file that was found as it was opened.
   bool addRevision(std::string key, std::shared_ptr<const floor::SiteMap> map, RevisionNote note);
+  /// As Revisions::copy().
+  bool copyRevisions(std::string from, std::string to);
   bool appendEvents(std::vector<Note> notes);
 
   // Requests, from any thread; each gives the number under which its answer comes. 0: closed, or too many wait.

@@ -57,12 +57,28 @@ const Text* find(std::uint8_t number) {
 
 }  // namespace
 
+bool isCompassSample(std::uint8_t number) {
+  const auto first = static_cast<std::uint8_t>(Parameter::CompassSample);
+  return number >= first && number < first + wire::kCompassSamples;
+}
+
 Sentence parameterName(std::uint8_t number) {
+  if (isCompassSample(number)) return phrase("Core", "the field in a direction of the compass' turn");
   const Text* text = find(number);
   return text != nullptr ? Sentence{text->name} : phrase("Core", "parameter %1").with(number);
 }
 
+bool isSample(const Event& event) {
+  const auto& answer = event.answer;
+  return answer && answer->request.type == wire::MessageType::Get && isCompassSample(answer->request.parameter) &&
+         answer->value && answer->value->outcome == wire::Outcome::Done;
+}
+
 Sentence parameterValue(std::uint8_t number, std::int32_t value) {
+  if (isCompassSample(number)) {
+    const wire::CompassCounts c = wire::unpackCompass(value);
+    return same("%1, %2 nT").with(c.x * wire::kCompassCountNanotesla, c.y * wire::kCompassCountNanotesla);
+  }
   const Text* text = find(number);
   return text != nullptr ? text->value.with(value) : Sentence{value};
 }
@@ -75,6 +91,8 @@ Sentence actionName(std::uint8_t number) {
       return phrase("Core", "restarting");
     case wire::Action::RestoreDefaults:
       return phrase("Core", "restoring the factory's settings");
+    case wire::Action::SurveyCompass:
+      return phrase("Core", "turning on the spot to measure the field");
   }
   return phrase("Core", "action %1").with(number);
 }

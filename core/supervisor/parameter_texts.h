@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "base/sentence.h"
+#include "supervisor/event.h"
 
 namespace tessera::supervisor {
 
@@ -13,5 +14,9 @@ namespace tessera::supervisor {
 [[nodiscard]] Sentence parameterValue(std::uint8_t number, std::int32_t value);
 /// "calibrating the compass"; "action 99" for a number that the protocol does not have.
 [[nodiscard]] Sentence actionName(std::uint8_t number);
+/// Of wire::Parameter::CompassSample and those after it.
+[[nodiscard]] bool isCompassSample(std::uint8_t number);
+/// One of the many answers of a measurement, which a program collects and nobody reads in a list.
+[[nodiscard]] bool isSample(const Event& event);
 
 }  // namespace tessera::supervisor

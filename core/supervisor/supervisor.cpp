@@ -142,7 +142,13 @@ TickOutput Supervisor::tick(Seconds now) {
 
 void Supervisor::Impl::carryOut(const Order& order) {
   if (std::holds_alternative<StopAll>(order)) {
-    log.tell(Severity::Info, EventKind::StoppedAll, std::nullopt, phrase("Core", "All vehicles were told to stop."));
+    if (port.state == PortState::Open)
+      log.tell(Severity::Info, EventKind::StoppedAll, std::nullopt, phrase("Core", "All vehicles were told to stop."));
+    else
+      log.tell(Severity::Warning, EventKind::StoppedAll, std::nullopt,
+               phrase("Core",
+                      "All vehicles shall stop. They cannot be told while the radio's port is not open: each stops by "
+                      "itself when its command runs out."));
     for (VehicleAgent& a : agents) a.stop(log);
     return;
   }
@@ -177,9 +183,10 @@ void Supervisor::Impl::carryOut(const Order& order) {
           Severity::Warning, EventKind::OrderRefused, id,
           phrase("Core", "%1: it is being given a key already, or too many requests are waiting.").with(a->name()));
   if (const auto* ask = std::get_if<Ask>(&order)) {
-    // A Stop is repeated for as long as it holds, and would end the calibration at once.
+    // A Stop is repeated for as long as it holds, and would end the turn at once.
+    const auto action = static_cast<wire::Action>(ask->request.parameter);
     const bool moves = ask->request.type == wire::MessageType::Do &&
-                       ask->request.parameter == static_cast<std::uint8_t>(wire::Action::CalibrateCompass);
+                       (action == wire::Action::CalibrateCompass || action == wire::Action::SurveyCompass);
     if (moves && !a->letGo(log)) return;
     if (!channel.request(id, ask->request))
       log.tell(Severity::Warning, EventKind::OrderRefused, id,

@@ -16,6 +16,14 @@ constexpr double kExpiryCycles = 3.0;
 constexpr MetresPerSecond kStanding{0.005};
 constexpr RadiansPerSecond kStandingTurn{0.1};  // the compass is noisy
 
+/// A way driven with a heading that is not quite known leads aside by as much.
+Eigen::Matrix3d rolledOn(const Eigen::Matrix3d& covariance, Offset way) {
+  Eigen::Matrix3d slope = Eigen::Matrix3d::Identity();
+  slope(0, 2) = -way.y.value();
+  slope(1, 2) = way.x.value();
+  return slope * covariance * slope.transpose();
+}
+
 }  // namespace
 
 VehicleAgent::VehicleAgent(std::shared_ptr<const floor::SiteMap> map, floor::VehicleSetup setup,
@@ -66,8 +74,13 @@ Radians VehicleAgent::reportedHeading() const {
 }
 
 drive::VehicleState VehicleAgent::state() const {
-  return {estimate_.at,     estimate_.pose, estimate_.speed, estimate_.turnRate, estimate_.positionSigma(),
-          estimate_.located};
+  return {estimate_.at,
+          estimate_.pose,
+          estimate_.speed,
+          estimate_.turnRate,
+          estimate_.positionSigma(),
+          estimate_.located,
+          Radians{std::sqrt(std::max(0.0, estimate_.covariance(2, 2)))}};
 }
 
 // A vehicle that stands and is told nothing is where it was; most of a large fleet is, most of the time.
@@ -210,9 +223,11 @@ VehicleView VehicleAgent::view(Seconds now, const PortView& port, const link::Li
   const drive::VehicleState rolled = last_ ? stateAt(now) : state();
   v.pose = rolled.pose;
   v.predicted = predicted_;
+  const Offset way = rolled.pose.position - estimate_.pose.position;
+  const Eigen::Matrix3d covariance = rolledOn(estimate_.covariance, way);
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)
-      v.covariance[static_cast<std::size_t>(3 * row + column)] = estimate_.covariance(row, column);
+      v.covariance[static_cast<std::size_t>(3 * row + column)] = covariance(row, column);
   // What was rolled on since the last report is known a little less.
   const double more = (rolled.sigma - estimate_.positionSigma()).value();
   v.covariance[0] += more * more;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "floor/laid_tile.h"
+#include "floor/tile_finder.h"
 #include "region/box_tree.h"
 
 namespace tessera::tilecheck {
@@ -86,14 +87,11 @@ public:
 
 private:
   void collect(const floor::Site& site) {
-    std::unordered_map<std::string, const floor::TileType*> types;
-    for (const auto& type : site.tileTypes) types.try_emplace(type.name, &type);
-    std::unordered_map<std::string, const floor::Tile*> tiles;
-    for (const auto& tile : site.tiles) tiles.try_emplace(tile.serial, &tile);
-    for (const auto& placement : site.placements) {
-      const auto tile = tiles.find(placement.serial);
-      if (tile == tiles.end() || !types.contains(tile->second->type)) continue;
-      const floor::TileType* type = types[tile->second->type];
+    floor::LaidTypes types{site};
+    for (std::size_t n = 0; n < site.placements.size(); ++n) {
+      const floor::Placement& placement = site.placements[n];
+      const floor::TileType* type = types.find(placement, n);
+      if (type == nullptr) continue;
       tileOf_.try_emplace(placement.serial, tiles_.size());
       tiles_.push_back({&placement, type, boxOf(placement, *type), {}});
     }

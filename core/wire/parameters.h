@@ -35,12 +35,35 @@ enum class Parameter : std::uint8_t {
   LongestTick = 66,         ///< µs, longest run of the 100 Hz work since the start
   StackFree = 67,           ///< bytes of stack never touched since the start
   CalibrationOutcome = 68,  ///< wire::Outcome of the last compass calibration; Unknown: none since the start
+  CompassSample = 128,      ///< the first of kCompassSamples: the field in one direction of the last turn (below)
 };
+
+/// Directions of a turn whose fields can be read, as parameters CompassSample and those after it.
+inline constexpr std::uint8_t kCompassSamples = 64;
+
+/// The chip's field as it is, before any correction; 25 nT each, 819 µT at most.
+struct CompassCounts {
+  std::int16_t x = 0;
+  std::int16_t y = 0;
+  bool operator==(const CompassCounts&) const = default;
+};
+inline constexpr std::int32_t kCompassCountNanotesla = 25;
+/// x in the low half of the value, y in the high half; both -32768: nothing was measured in this direction.
+[[nodiscard]] constexpr std::int32_t packCompass(CompassCounts c) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(static_cast<std::uint16_t>(c.y)) << 16 |
+                                   static_cast<std::uint16_t>(c.x));
+}
+[[nodiscard]] constexpr CompassCounts unpackCompass(std::int32_t value) {
+  const auto bits = static_cast<std::uint32_t>(value);
+  return {static_cast<std::int16_t>(bits & 0xFFFF), static_cast<std::int16_t>(bits >> 16)};
+}
+inline constexpr std::int32_t kNoCompassSample = packCompass({-32768, -32768});
 
 enum class Action : std::uint8_t {
   CalibrateCompass = 1,  ///< turn on the spot, fit hard and soft iron, keep the result
   Restart = 2,
   RestoreDefaults = 3,  ///< everything but address and key
+  SurveyCompass = 4,    ///< turn on the spot as to calibrate, and only keep what was measured to be read
 };
 
 }  // namespace tessera::wire

@@ -55,6 +55,11 @@ void CompassCalibration::add(Field field) {
   bin.y += (field.y - bin.y) / static_cast<float>(bin.count);
 }
 
+std::optional<Field> CompassCalibration::sample(std::size_t direction) const {
+  if (direction >= kBins || bins_[direction].count == 0) return std::nullopt;
+  return Field{bins_[direction].x, bins_[direction].y};
+}
+
 void CompassCalibration::finish() {
   status_ = Status::Failed;
   std::array<Field, kBins> samples{};

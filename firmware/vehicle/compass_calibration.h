@@ -24,11 +24,15 @@ public:
   [[nodiscard]] float turnRate() const;
 
   [[nodiscard]] Status status() const { return status_; }
+  /// Mean field of what was measured in one of kBins directions since the start, by what the wheels have turned;
+  /// nullopt: nothing. The turn begins with direction kBins / 2.
+  [[nodiscard]] std::optional<Field> sample(std::size_t direction) const;
   /// The result, when Done.
   [[nodiscard]] const CompassCorrection& correction() const { return correction_; }
 
-private:
   static constexpr std::size_t kBins = 64;
+
+private:
   struct Bin {
     float x = 0.0F;
     float y = 0.0F;

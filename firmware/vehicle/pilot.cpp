@@ -124,12 +124,12 @@ void Pilot::brake() {
   board_.drive(Wheel::Right, right_.release());
 }
 
-Outcome Pilot::calibrate(Micros now) {
+Outcome Pilot::calibrate(Micros now, bool keep) {
   if (latched_ != 0 || forbidden_ || compass_.absent()) return Outcome::Failed;
   const bool busy = calibration_.status() == CompassCalibration::Status::Turning || !control_.standing();
   if (busy || command_.at(now) == Command::Kind::Drive) return Outcome::Busy;
   calibration_.start(now);
-  calibrationTaken_ = false;
+  calibrationTaken_ = !keep;
   return Outcome::Started;
 }
 
@@ -145,6 +145,16 @@ Outcome Pilot::calibrationOutcome() const {
       break;
   }
   return Outcome::Failed;
+}
+
+std::int32_t Pilot::compassSample(std::size_t direction) const {
+  const auto field = calibration_.sample(direction);
+  if (!field) return wire::kNoCompassSample;
+  constexpr float kCounts = 1000.0F / static_cast<float>(wire::kCompassCountNanotesla);
+  const auto counts = [](float microtesla) {
+    return static_cast<std::int16_t>(std::lround(std::clamp(microtesla * kCounts, -32767.0F, 32767.0F)));
+  };
+  return wire::packCompass({counts(field->x), counts(field->y)});
 }
 
 std::optional<CompassCorrection> Pilot::takeCalibration() {

@@ -30,10 +30,13 @@ public:
   void tick(Micros now);
 
   /// Started; Busy while driving or calibrating; Failed with a latched fault or without a compass. The calibration ends
-  /// by itself when the host has not been heard for two seconds: Polls keep it going.
-  wire::Outcome calibrate(Micros now);
+  /// by itself when the host has not been heard for two seconds: Polls keep it going. keep: what is found comes into
+  /// force; otherwise it is a survey, of which only the samples are wanted.
+  wire::Outcome calibrate(Micros now, bool keep);
   /// Outcome of the last calibration: Unknown (none since the start), Started (running), Done or Failed.
   [[nodiscard]] wire::Outcome calibrationOutcome() const;
+  /// The field in a direction of the last turn, kNoCompassSample for none.
+  [[nodiscard]] std::int32_t compassSample(std::size_t direction) const;
   /// The correction of a calibration that has just succeeded; given once.
   std::optional<CompassCorrection> takeCalibration();
 

@@ -1,6 +1,7 @@
 #include "firmware/vehicle/session.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "firmware/vehicle/version.h"
 
@@ -54,6 +55,9 @@ void Session::receiveHello(const wire::Frame& frame, Micros now) {
   const auto hello = wire::decodeHello(sealed->body);
   if (!hello) return;
   if (!pending_ || pending_->hostNonce != hello->hostNonce) {
+    // A number that came again would make an old session's key again, and its recorded commands good. Who plays two
+    // recorded Hellos back in turn gets here in an hour and a half; another start makes sessions new.
+    if (hellos_ == std::numeric_limits<std::uint16_t>::max()) return;
     Keyed fresh;
     fresh.hostNonce = hello->hostNonce;
     fresh.hello = ++hellos_;

@@ -51,6 +51,11 @@ Outcome Vehicle::get(Parameter parameter, std::int32_t& value) {
     default:
       break;
   }
+  const auto direction = static_cast<std::size_t>(parameter) - static_cast<std::size_t>(Parameter::CompassSample);
+  if (direction < wire::kCompassSamples) {
+    value = pilot_.compassSample(direction);
+    return Outcome::Done;
+  }
   if (!Settings::has(parameter)) return Outcome::Unknown;
   value = store_.settings().get(parameter);
   return Outcome::Done;
@@ -70,7 +75,9 @@ Outcome Vehicle::set(Parameter parameter, std::int32_t value) {
 Outcome Vehicle::act(wire::Action action, Micros now) {
   switch (action) {
     case wire::Action::CalibrateCompass:
-      return pilot_.calibrate(now);
+      return pilot_.calibrate(now, true);
+    case wire::Action::SurveyCompass:
+      return pilot_.calibrate(now, false);
     case wire::Action::Restart:
       restartAt_ = now + kRestartPatience;
       return Outcome::Done;

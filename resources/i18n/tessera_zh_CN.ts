@@ -2026,6 +2026,38 @@
         <source>Nothing can be told from this drive.</source>
         <translation>从这次行驶中得不出结果。</translation>
     </message>
+    <message>
+        <source>Tag %1 is registered already, as tag %2 of this tile.</source>
+        <translation>标签 %1 已登记为这块地板砖的第 %2 个标签。</translation>
+    </message>
+    <message>
+        <source>In %1 of %2 directions nothing was measured: the vehicle did not turn all around.</source>
+        <translation>%2 个方向中有 %1 个没有测到：车辆没有转满一圈。</translation>
+    </message>
+    <message>
+        <source>A horizontal field of %1 µT cannot be the earth&apos;s: iron, magnets or currents are too near, or the compass does not lie level.</source>
+        <translation>%1 µT 的水平磁场不可能是地磁场：铁、磁铁或电流太近，或者罗盘没有放平。</translation>
+    </message>
+    <message>
+        <source>The ellipse is %1 times as long as wide: iron sits right beside the compass. Mount it elsewhere.</source>
+        <translation>椭圆的长是宽的 %1 倍：罗盘旁边紧挨着铁。请把它装到别处。</translation>
+    </message>
+    <message>
+        <source>The points lie on no ellipse: they are off by %1 % of the field. Something has moved or was switched meanwhile, or steel stands near.</source>
+        <translation>这些点不在任何椭圆上：偏离达磁场的 %1 %。其间有物体移动或电流通断，或附近有钢铁。</translation>
+    </message>
+    <message>
+        <source>the field in a direction of the compass&apos; turn</source>
+        <translation>罗盘转动中某一方向的磁场</translation>
+    </message>
+    <message>
+        <source>turning on the spot to measure the field</source>
+        <translation>原地转动以测量磁场</translation>
+    </message>
+    <message>
+        <source>All vehicles shall stop. They cannot be told while the radio&apos;s port is not open: each stops by itself when its command runs out.</source>
+        <translation>所有车辆应停车。无线电端口未打开，无法通知它们；每辆车在其命令过期后会自行停车。</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>
@@ -2236,6 +2268,18 @@
     <message>
         <source>Clear the registration of tile %1</source>
         <translation>清除地板砖 %1 的登记</translation>
+    </message>
+    <message>
+        <source>Take back the tags of tile %1</source>
+        <translation>撤回地板砖 %1 的标签</translation>
+    </message>
+    <message>
+        <source>Exchange tags %1 and %2 of tile %3</source>
+        <translation>对调地板砖 %3 的第 %1 个和第 %2 个标签</translation>
+    </message>
+    <message>
+        <source>Read tile %1 anew</source>
+        <translation>重新读取地板砖 %1</translation>
     </message>
 </context>
 <context>
@@ -2860,6 +2904,10 @@
         <source>&amp;Tool’s menu here</source>
         <translation>此处的工具菜单(&amp;T)</translation>
     </message>
+    <message>
+        <source>Connection › Connect… (Ctrl+K) takes the vehicles under supervision.</source>
+        <translation>“连接 › 连接…”(Ctrl+K) 开始监控车辆。</translation>
+    </message>
 </context>
 <context>
     <name>tessera::desktop::RevisionDesk</name>
@@ -2886,6 +2934,13 @@
     <message>
         <source>%1 is the open site&apos;s file. Choose another name.</source>
         <translation>%1 是当前场地的文件。请换一个名称。</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::desktop::ScanWorkbench</name>
+    <message>
+        <source>built into this computer</source>
+        <translation>本机内置</translation>
     </message>
 </context>
 <context>
@@ -3311,6 +3366,10 @@
     <message>
         <source>Calibrate readers and &amp;wheels…</source>
         <translation>校准读卡器和车轮(&amp;W)…</translation>
+    </message>
+    <message>
+        <source>Calibrate the co&amp;mpass…</source>
+        <translation>校准罗盘(&amp;M)…</translation>
     </message>
 </context>
 <context>
@@ -3943,6 +4002,140 @@
     </message>
 </context>
 <context>
+    <name>tessera::ui::CompassPanel</name>
+    <message>
+        <source>The site has no vehicle yet. Set one up: Vehicle › Set up a new vehicle.</source>
+        <translation>场地中还没有车辆。请先设置：车辆 › 设置新车辆。</translation>
+    </message>
+    <message>
+        <source>Connect to the vehicles: the compass is calibrated by turning.</source>
+        <translation>请连接车辆：罗盘通过转动校准。</translation>
+    </message>
+    <message>
+        <source>Choose the vehicle to calibrate, in the list or on the floor.</source>
+        <translation>在列表中或地面上选择要校准的车辆。</translation>
+    </message>
+    <message>
+        <source>The vehicle does not answer. Is it switched on and in reach?</source>
+        <translation>车辆没有应答。它是否已开机并在通信范围内？</translation>
+    </message>
+    <message>
+        <source>The vehicle turns on the spot by itself, a little more than once around and back. Put it on the floor, away from steel and cables, with a metre of free room all around; keep hands and feet away.</source>
+        <translation>车辆将自行原地转动一圈多再转回。请将车辆放在地面上，远离钢铁和电缆，四周各留出一米空间，手脚不要靠近。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 directions measured.</source>
+        <translation>%2 个方向中已测 %1 个。</translation>
+    </message>
+    <message>
+        <source>Hard iron %1 µT, soft iron %2 : 1, earth&apos;s field %3 µT. Points off the ellipse by %4 % (about %5° of heading); %6 of %7 directions met.</source>
+        <translation>硬铁 %1 µT，软铁 %2 : 1，地磁场 %3 µT。各点偏离椭圆 %4 %（约合航向 %5°）；%7 个方向中测到 %6 个。</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Turn and measure</source>
+        <translation>转动并测量</translation>
+    </message>
+    <message>
+        <source>Compass</source>
+        <translation>罗盘</translation>
+    </message>
+    <message>
+        <source>Write into the vehicle</source>
+        <translation>写入车辆</translation>
+    </message>
+    <message>
+        <source>Old values back</source>
+        <translation>恢复旧值</translation>
+    </message>
+    <message>
+        <source>What stood in the vehicle before, as long as the program runs</source>
+        <translation>车辆中原来的值，在程序运行期间保留</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::CompassSurvey</name>
+    <message>
+        <source>Reading what the vehicle corrects its compass by…</source>
+        <translation>正在读取车辆的罗盘修正值…</translation>
+    </message>
+    <message>
+        <source>Stopped. Nothing was changed in the vehicle.</source>
+        <translation>已停止。车辆中没有任何改变。</translation>
+    </message>
+    <message>
+        <source>The vehicle has no values to correct its compass by.</source>
+        <translation>车辆没有罗盘修正值。</translation>
+    </message>
+    <message>
+        <source>The vehicle did not take the values: read them again by turning anew.</source>
+        <translation>车辆没有接受这些值：请重新转动以再次读取。</translation>
+    </message>
+    <message>
+        <source>The vehicle&apos;s program is too old to tell what its compass measures. It can only calibrate by itself, without a chart: Vehicle › Change the chosen vehicle, on the page of the compass.</source>
+        <translation>车辆的程序太旧，不能说出罗盘测到了什么。它只能自行校准，没有图：车辆 › 更改所选车辆，在罗盘页。</translation>
+    </message>
+    <message>
+        <source>The vehicle drives or turns already. Stop it, then try again.</source>
+        <translation>车辆正在行驶或转动。请先停止车辆，然后重试。</translation>
+    </message>
+    <message>
+        <source>The vehicle refuses: it has a fault, or its compass does not answer. Clear it, then try again.</source>
+        <translation>车辆拒绝：它有故障，或罗盘没有应答。请清除故障，然后重试。</translation>
+    </message>
+    <message>
+        <source>The vehicle turns on the spot…</source>
+        <translation>车辆正在原地转动…</translation>
+    </message>
+    <message>
+        <source>The vehicle has fallen silent. It stops turning by itself.</source>
+        <translation>车辆没有回音了。它会自行停止转动。</translation>
+    </message>
+    <message>
+        <source>Fetching the rest of what was measured…</source>
+        <translation>正在取回其余的测量值…</translation>
+    </message>
+    <message>
+        <source>Too little was measured: the vehicle hardly turned, or its compass is silent.</source>
+        <translation>测到的太少：车辆几乎没有转动，或罗盘没有应答。</translation>
+    </message>
+    <message>
+        <source>The vehicle keeps its values.</source>
+        <translation>车辆保留原有的值。</translation>
+    </message>
+    <message>
+        <source>The values in the vehicle are right: they turn the heading by at most %1°.</source>
+        <translation>车辆中的值是对的：它们使航向至多偏转 %1°。</translation>
+    </message>
+    <message>
+        <source>The values in the vehicle turn the heading by up to %1°. Write those found into it.</source>
+        <translation>车辆中的值使航向偏转达 %1°。请把得到的值写入车辆。</translation>
+    </message>
+    <message>
+        <source>Writing into the vehicle…</source>
+        <translation>正在写入车辆…</translation>
+    </message>
+    <message>
+        <source>The vehicle has other values than were written. Write them again.</source>
+        <translation>车辆中的值与写入的不同。请再写一次。</translation>
+    </message>
+    <message>
+        <source>The values are in force, but the vehicle could not keep them: they are lost when it is switched off.</source>
+        <translation>这些值已生效，但车辆无法保存：断电后会丢失。</translation>
+    </message>
+    <message>
+        <source>The vehicle has its old values back.</source>
+        <translation>车辆已恢复旧值。</translation>
+    </message>
+    <message>
+        <source>Written and read back. Turn once more to see what they do.</source>
+        <translation>已写入并读回。再转一次即可看到效果。</translation>
+    </message>
+</context>
+<context>
     <name>tessera::ui::Condition</name>
     <message>
         <source>%1 has not answered yet. Check that it is switched on and within reach of the radio.</source>
@@ -4551,6 +4744,25 @@ Can be mended: %2.</source>
     </message>
 </context>
 <context>
+    <name>tessera::ui::FieldChart</name>
+    <message>
+        <source>as measured</source>
+        <translation>测量值</translation>
+    </message>
+    <message>
+        <source>corrected</source>
+        <translation>修正后</translation>
+    </message>
+    <message>
+        <source>Here the field in every direction is drawn while the vehicle turns.</source>
+        <translation>车辆转动时，这里画出各个方向的磁场。</translation>
+    </message>
+    <message>
+        <source>The magnetic field in every direction, measured and corrected</source>
+        <translation>各个方向的磁场：测量值和修正后的值</translation>
+    </message>
+</context>
+<context>
     <name>tessera::ui::FindBox</name>
     <message>
         <source>Coordinates</source>
@@ -4656,20 +4868,20 @@ x %2 m, y %3 m</source>
 x %2 m，y %3 m</translation>
     </message>
     <message>
-        <source>There is no floor to show yet.</source>
-        <translation>尚无可显示的地面。</translation>
-    </message>
-    <message>
-        <source>Open a site that has tiles, or look around on the demo floor first.</source>
-        <translation>请打开包含地板砖的场地，或先浏览演示场地。</translation>
-    </message>
-    <message>
         <source>Floor map</source>
         <translation>地面地图</translation>
     </message>
     <message>
         <source>Tiles, tags, zones, routes and vehicles of the site.</source>
         <translation>场地的地板砖、标签、区域、路径和车辆。</translation>
+    </message>
+    <message>
+        <source>This site has no tiles yet.</source>
+        <translation>此场地尚无地板砖。</translation>
+    </message>
+    <message>
+        <source>Choose Lay tiles in the tool bar (Ctrl+Shift+T) and drag over the floor. Tags that are known already come in with Site › Import…; Edit › Floor plan… puts a drawing of the building beneath.</source>
+        <translation>在工具栏中选择“铺设地板砖”(Ctrl+Shift+T)，然后在地面上拖动。已知的标签可用“场地 › 导入…”读入；“编辑 › 平面图…”可在下方放置建筑图纸。</translation>
     </message>
 </context>
 <context>
@@ -5197,6 +5409,14 @@ x %2 m，y %3 m</translation>
         <source>%1 min</source>
         <translation>%1 分钟</translation>
     </message>
+    <message>
+        <source>Nothing is known of %1 yet. Connect to the vehicles (Ctrl+K); its charts begin with its first report.</source>
+        <translation>尚无 %1 的数据。请连接车辆 (Ctrl+K)；收到首次报告后开始绘制曲线。</translation>
+    </message>
+    <message>
+        <source>The site has no vehicle yet. Set one up: Vehicle › Set up a new vehicle.</source>
+        <translation>场地还没有车辆。请设置一台：车辆 › 设置新车辆。</translation>
+    </message>
 </context>
 <context>
     <name>tessera::ui::LocatingOverlay</name>
@@ -5459,6 +5679,10 @@ x %2 m，y %3 m</translation>
     <message>
         <source>%1 × %2 cm</source>
         <translation>%1 × %2 厘米</translation>
+    </message>
+    <message>
+        <source>Floor &amp;plan</source>
+        <translation>平面图(&amp;P)</translation>
     </message>
 </context>
 <context>
@@ -6674,6 +6898,38 @@ x %2 m，y %3 m</translation>
         <source>Next place (Page Down)</source>
         <translation>下一个位置（Page Down）</translation>
     </message>
+    <message>
+        <source>Exchange the two</source>
+        <translation>对调这两个标签</translation>
+    </message>
+    <message>
+        <source>%1 Exchange it with the one that is registered here, or read the whole tile anew?</source>
+        <translation>%1 与此处登记的标签对调，还是重新读取整块地板砖？</translation>
+    </message>
+    <message>
+        <source>Move it here</source>
+        <translation>移到这里</translation>
+    </message>
+    <message>
+        <source>%1 Move it here, or read the whole tile anew?</source>
+        <translation>%1 把它移到这里，还是重新读取整块地板砖？</translation>
+    </message>
+    <message>
+        <source>The tile&apos;s tags are read anew, from the lit one on. One step back brings the old ones back.</source>
+        <translation>从点亮的标签开始重新读取这块地板砖。后退一步可恢复原来的标签。</translation>
+    </message>
+    <message>
+        <source>Read the whole tile anew</source>
+        <translation>重新读取整块地板砖</translation>
+    </message>
+    <message>
+        <source>Its tags are taken off and read from the first one on</source>
+        <translation>取下它的标签，从第一个开始读取</translation>
+    </message>
+    <message>
+        <source>Sounds</source>
+        <translation>声音</translation>
+    </message>
 </context>
 <context>
     <name>tessera::ui::SerialBox</name>
@@ -7247,10 +7503,6 @@ x %2 m，y %3 m</translation>
 <context>
     <name>tessera::ui::TileCheckPanel</name>
     <message>
-        <source>No tiles are laid: there is nothing to check.</source>
-        <translation>没有铺设地板砖：无可检查。</translation>
-    </message>
-    <message>
         <source>Press Start, then drive a vehicle along the rows of tiles. Each tag that it reads tells whether its tile lies where the site says.</source>
         <translation>按“开始”，然后让车辆沿各排地板砖行驶。读到的每个标签都能说明其地板砖是否与场地一致。</translation>
     </message>
@@ -7329,6 +7581,10 @@ x %2 m，y %3 m</translation>
     <message>
         <source>Tiles and tags that are otherwise than the site says</source>
         <translation>与场地不符的地板砖和标签</translation>
+    </message>
+    <message>
+        <source>No tiles are laid yet. Lay them with Lay tiles in the tool bar, and register their tags; a drive over them then checks both.</source>
+        <translation>尚未铺设地板砖。请用工具栏中的“铺设地板砖”铺设并登记其标签；随后驾车驶过即可核对两者。</translation>
     </message>
 </context>
 <context>

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <random>
 
 #include "app/experiment/carried.h"
+#include "app/experiment/summary.h"
 
 namespace tessera::experiment {
 namespace {
@@ -43,6 +45,15 @@ TEST(Metrics, tellPositionErrorCrossTrackAndSpeedOfASteadyRun) {
   EXPECT_NEAR(m.duration.value(), 20.0, 1e-9);
   EXPECT_NEAR(m.endError.value(), 0.03, 1e-9);
   EXPECT_EQ(m.reversals, 0);
+}
+
+TEST(Metrics, ofARunThatMeasuredNothingAreNoFigures) {
+  const auto figures = toJson(evaluate(kStraight, {}, MetresPerSecond{0.1}), false);
+  EXPECT_TRUE(figures["position_error_mean_m"].is_null());
+  EXPECT_TRUE(figures["reversals"].is_null());
+  EXPECT_EQ(figures["samples"], 0);
+  EXPECT_EQ(figures["finished"], false);
+  EXPECT_TRUE(toJson(evaluate(kStraight, drive(0, 0, steady()), MetresPerSecond{0.1}), true)["reversals"].is_number());
 }
 
 TEST(Metrics, tellTheLargestPositionErrorFromTheFirstPlaceOn) {

@@ -173,6 +173,22 @@ TEST(ClosedLoop, doesNotStopWhereTheRouteBendsALittle) {
   EXPECT_THAT(r.phases, ::testing::ElementsAre(Phase::OnLeg, Phase::Finished));
 }
 
+TEST(ClosedLoop, goesOnToTheEndWhereItHasStoppedShort) {
+  // One that brakes harder than expected stops before it; standing, it sees that.
+  for (const double delay : {0.1, 0.25, 0.75}) {
+    for (const double acceleration : {0.5, 1.5}) {
+      LoopOptions options = at(0.12, delay);
+      options.period = delay / 2;
+      options.acceleration = acceleration;
+      options.poseNoise = 1e-4;
+      const LoopResult r = report("straight on", "look-ahead", routeOf({{0, 0}, {1, 0}}), options);
+      EXPECT_TRUE(r.finished) << delay;
+      EXPECT_LT(r.endError, 0.005) << delay;
+      EXPECT_GE(r.lowestCommand, 0.0);
+    }
+  }
+}
+
 TEST(ClosedLoop, doesNotConfuseNeighbouringLegs) {
   const auto comb = routeOf({{0, 0}, {1, 0}, {1, 0.06}, {0, 0.06}, {0, 0.12}, {1, 0.12}});
   const LoopResult r = report("legs 6 cm apart", "look-ahead", comb, at(0.12, 0.25));

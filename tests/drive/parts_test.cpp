@@ -105,8 +105,26 @@ TEST(SpeedPlan, saysTheStrictestReason) {
   s.sigma = Metres{0.10};
   EXPECT_EQ(plan.at(s).reason, SpeedReason::Uncertainty);
   s = free;
+  s.headingSigma = Radians{0.5};
+  EXPECT_EQ(plan.at(s).reason, SpeedReason::Uncertainty);
+  EXPECT_NEAR(plan.at(s).speed.value(), 0.2 * options.leastByHeading, 1e-9) << "only driving teaches it its heading";
+  s = free;
   s.headingError = Radians{0.8};
   EXPECT_EQ(plan.at(s).reason, SpeedReason::Heading);
+}
+
+TEST(SpeedPlan, takesCareBeforeTheEndWhereThePlaceIsNotWellKnown) {
+  SpeedPlanOptions options;
+  options.requested = MetresPerSecond{0.2};
+  const SpeedPlan plan{VehicleAbility{}, options};
+  SpeedPlan::Situation s{Metres{0.07}, true, Seconds{0.2}, Metres{0.01}, Radians{0.0}};
+  EXPECT_EQ(plan.at(s).speed, options.endSpeed);
+  EXPECT_EQ(plan.at(s).reason, SpeedReason::End);
+  s.sigma = Metres{};
+  EXPECT_GT(plan.at(s).speed, 2.0 * options.endSpeed);
+  s.sigma = Metres{0.01};
+  s.stopIsEnd = false;
+  EXPECT_GT(plan.at(s).speed, 2.0 * options.endSpeed) << "a corner is only driven through";
 }
 
 TEST(StretchLimits, holdWhereTheVehicleMayBeAndSlowItDownBefore) {

@@ -13,7 +13,8 @@ namespace tessera::test {
 inline locate::ParticleOptions syntheticOptions() {
   locate::ParticleOptions options;
   options.readLag = 0.0;
-  options.scaleLength = 0.12;
+  options.instant = 0.0;
+  options.scaleMemory = 1.0;
   options.biasPerRootMetre = 0.02;
   return options;
 }

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -17,9 +16,7 @@ namespace tessera::test {
 namespace {
 
 using locate::Motion;
-using locate::ParticleCloud;
 using locate::ParticleLocator;
-using locate::ParticleOptions;
 using locate::TagLeft;
 using locate::TagRead;
 
@@ -166,32 +163,6 @@ TEST(Particles, areTheSameEveryTime) {
     ASSERT_EQ(a[i].estimate.pose, b[i].estimate.pose);
     ASSERT_EQ(a[i].estimate.covariance, b[i].estimate.covariance);
   }
-}
-
-TEST(ParticleCloud, itsParticlesStayApartAfterResampling) {
-  ParticleCloud cloud{{}, 1, 5};
-  cloud.scatter({}, 0.05, 0.0, 0.05);
-  for (int i = 0; i < 30; ++i) {
-    ASSERT_GT(cloud.chanceOf({}, {0.03, 0.0}, 0.06), 0.0);
-    cloud.weighSeen(0);
-    cloud.resampleIfNeeded();
-    cloud.move({0.0, 0.0, 0.0, 0.0});
-  }
-  std::vector<double> x{cloud.x().begin(), cloud.x().end()};
-  std::sort(x.begin(), x.end());
-  EXPECT_EQ(std::unique(x.begin(), x.end()) - x.begin(), static_cast<std::ptrdiff_t>(cloud.size()));
-  EXPECT_GT(std::sqrt(cloud.moments().covariance(0, 0)), 0.008) << "thirty reads of one tag at one place say little";
-}
-
-TEST(ParticleCloud, aDeadTagsSilenceCountsOnceHoweverLongItLasts) {
-  ParticleCloud cloud{{}, 1, 5};
-  cloud.scatter({}, 0.05, 0.0, 0.0);
-  const std::vector<Eigen::Vector2d> tags{{0.0, 0.0}};
-  for (int i = 0; i < 100; ++i) cloud.weighSilent(0, {}, tags, 0.06);
-  // The chance that the tag was under the reader all the same, 3 % before 0.53 against 0.47, is not gone.
-  const double left = cloud.chanceOf({}, {0.0, 0.0}, 0.05);
-  EXPECT_GT(left, 0.005);
-  EXPECT_LT(left, 0.10);
 }
 
 TEST(PollClock, learnsHowOftenReadersTry) {

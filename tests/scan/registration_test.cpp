@@ -1,64 +1,11 @@
 // A person's way over a floor: accepted, refused, skipped, taken back, interrupted.
-#include "scan/registration.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
 #include <random>
 #include <set>
 
-#include "floor/new_floor.h"
+#include "scan/scan_walk.h"
 
 namespace tessera::scan {
 namespace {
-
-using Verdict = Answer::Verdict;
-
-floor::TagUid uid(unsigned n) {
-  const std::array<std::uint8_t, 4> bytes{0x04, static_cast<std::uint8_t>(n >> 16U), static_cast<std::uint8_t>(n >> 8U),
-                                          static_cast<std::uint8_t>(n)};
-  return floor::TagUid::fromBytes(bytes).value();
-}
-
-/// A floor of two tiles with 8 tags each, and a person before it.
-class ScanWalk : public testing::Test {
-protected:
-  std::shared_ptr<const floor::SiteMap> map =
-      floor::SiteMap::build(floor::layNewFloor({"f", floor::usualTileTypes().front(), 2, 1, false}).value()).value();
-  Seconds now{100.0};
-  std::optional<Registration> person;
-
-  void SetUp() override { person.emplace(map, Course{}); }
-
-  std::shared_ptr<const floor::SiteMap> with(const PlaceName& place, const floor::TagUid& u) const {
-    floor::Site site = map->site();
-    for (auto& tile : site.tiles) {
-      if (tile.serial != place.serial) continue;
-      if (tile.uids.size() <= place.tag) tile.uids.resize(place.tag + 1);
-      tile.uids[place.tag] = u;
-    }
-    return floor::SiteMap::build(site).value();
-  }
-  Verdict scan(unsigned n, std::optional<Point> place = {}) {
-    now += Seconds{2.0};
-    last = person->offer({uid(n), place}, now);
-    if (last.verdict == Verdict::Accepted || last.verdict == Verdict::Confirmed) {
-      map = with(here(), uid(n));
-      person->registered(map, uid(n), now);
-    }
-    return last.verdict;
-  }
-  void back() {
-    const auto step = person->back();
-    if (!step || !step->wasRegistered) return;
-    map = with(step->place, step->before);
-    person->siteChanged(map);
-  }
-  [[nodiscard]] PlaceName here() const { return nameOf(map->site(), *person->stop()); }
-  [[nodiscard]] std::size_t registered() const { return person->progress().registered; }
-
-  Answer last;
-};
 
 TEST_F(ScanWalk, registersTagAfterTagUntilNoneIsLeft) {
   const auto walk = person->walk();
@@ -81,31 +28,30 @@ TEST_F(ScanWalk, ignoresTheCardThatWasJustAcceptedHoweverLongItLies) {
 }
 
 TEST_F(ScanWalk, refusesATagInUseAndNamesItsPlace) {
-  scan(1);
-  scan(2);
+  for (unsigned n = 1; n <= 8; ++n) scan(n);
   EXPECT_EQ(scan(1), Verdict::InUse);
   ASSERT_TRUE(last.where);
   EXPECT_EQ(last.where->serial, "T-0001");
   EXPECT_EQ(last.sentence, "Tag 04000001 is registered already, as tag 1 of tile \"T-0001\".");
-  EXPECT_EQ(registered(), 2U);
+  EXPECT_EQ(registered(), 8U);
   auto site = map->site();
-  site.looseTags = {{uid(7), {Metres{-1.5}, Metres{0.05}}}};
+  site.looseTags = {{uid(0x77), {Metres{-1.5}, Metres{0.05}}}};
   map = floor::SiteMap::build(site).value();
   person->siteChanged(map);
-  EXPECT_EQ(scan(7), Verdict::InUse);
+  EXPECT_EQ(scan(0x77), Verdict::InUse);
   EXPECT_FALSE(last.where);
-  EXPECT_EQ(last.sentence, "Tag 04000007 is registered already, as a loose tag at (-1.50, 0.05) m.");
+  EXPECT_EQ(last.sentence, "Tag 04000077 is registered already, as a loose tag at (-1.50, 0.05) m.");
 }
 
 TEST_F(ScanWalk, tellsARefusedCardThatStaysOnTheReaderOnce) {
   scan(1);
   scan(2);
-  EXPECT_EQ(scan(1), Verdict::InUse);
+  EXPECT_EQ(scan(1), Verdict::OnThisTile);
   for (int i = 0; i < 5; ++i) {
     now += Seconds{0.4};
     EXPECT_EQ(person->offer({uid(1), {}}, now).verdict, Verdict::Repeated);
   }
-  EXPECT_EQ(scan(1), Verdict::InUse) << "it was taken away and held there again";
+  EXPECT_EQ(scan(1), Verdict::OnThisTile) << "it was taken away and held there again";
 }
 
 TEST_F(ScanWalk, stepsBackOverRegisteredAndSkippedPlacesOneByOne) {

@@ -141,6 +141,25 @@ TEST(Plant, hasOdometryThatIsWrongByAboutAPercent) {
   EXPECT_NEAR(std::sqrt(squares / kRuns), 0.012, 0.004);
 }
 
+TEST(Plant, isOffByLessWhereWhatTheWheelsHaveInCommonIsForgottenSooner) {
+  // A share s that is remembered for m seconds makes the way of t seconds at v uncertain by v·s·sqrt(2·m·t).
+  for (const double memory : {0.5, 0.05}) {
+    double squares = 0.0;
+    constexpr int kPlants = 200;
+    for (int seed = 1; seed <= kPlants; ++seed) {
+      PlantParameters p = perfect();
+      p.speedNoise = 0.1;
+      p.speedNoiseMemory = Seconds{memory};
+      Plant plant{p, Pose{}, RandomStream{static_cast<std::uint64_t>(seed), "plant"}};
+      run(plant, 10'000, {200, 200});
+      const double rolled = plant.wheelAngle(0).value() * plant.trueDiameter(0).value() / 2.0;
+      squares += std::pow(plant.pose().position.x.value() - rolled, 2.0) / kPlants;
+    }
+    const double expected = (0.2 * 0.8 - 0.03) * 0.1 * std::sqrt(2.0 * memory * 10.0);
+    EXPECT_NEAR(std::sqrt(squares), expected, 0.15 * expected) << memory;
+  }
+}
+
 TEST(Plant, turnsNoWheelWhenItIsLiftedAndNoJammedOne) {
   Plant plant = perfectPlant();
   plant.setPose({{Metres{3.0}, Metres{4.0}}, Radians{1.0}});

@@ -164,5 +164,39 @@ TEST_F(RevisionsOfSites, areKnownToADatabaseThatAnOlderProgramMade) {
   EXPECT_TRUE(add("/a", named("Hall")));
 }
 
+TEST_F(RevisionsOfSites, goOnUnderAnotherName) {
+  ASSERT_TRUE(add("/a", named("a"), 1));
+  ASSERT_TRUE(add("/a", named("a", 2), 2));
+  const auto parts = count("revision_part");
+  ASSERT_TRUE(revisions().copy("/a", "/b"));
+  ASSERT_TRUE(add("/b", named("a", 3), 3));
+  EXPECT_EQ(list("/a").size(), 2U) << "the old file keeps its own";
+  const auto both = list("/b");
+  ASSERT_EQ(both.size(), 3U);
+  EXPECT_EQ(both[1].note, list("/a")[0].note);
+  EXPECT_EQ(both[0].changed->routes, 1) << "counted against the one before it";
+  EXPECT_EQ(revisions().load(both[2].id).value().routes.size(), 1U);
+  EXPECT_EQ(count("revision_part"), parts + 1) << "what is the same is kept once";
+  ASSERT_TRUE(add("/c", named("c"), 4));
+  ASSERT_TRUE(revisions().copy("/a", "/c"));
+  EXPECT_EQ(list("/c").size(), 1U) << "a file that is written over keeps its own past";
+  ASSERT_TRUE(revisions().copy("/nothing", "/d"));
+  EXPECT_TRUE(list("/d").empty());
+}
+
+TEST_F(RevisionsOfSites, areTakenAlongByAFileThatWasMoved) {
+  ASSERT_TRUE(add("/a", named("a"), 1));
+  ASSERT_TRUE(add("/a", named("a", 2), 2));
+  ASSERT_TRUE(revisions().adopt("/moved", named("a", 2)));
+  EXPECT_EQ(list("/moved").size(), 2U);
+  const auto added = revisions().add("/moved", named("a", 2), {3, "", "", true});
+  ASSERT_TRUE(added);
+  EXPECT_FALSE(*added) << "it is what the newest is";
+  ASSERT_TRUE(revisions().adopt("/other", named("a")));
+  EXPECT_TRUE(list("/other").empty()) << "an older state may be anybody's";
+  ASSERT_TRUE(revisions().adopt("/moved", named("a", 2)));
+  EXPECT_EQ(list("/moved").size(), 2U) << "once";
+}
+
 }  // namespace
 }  // namespace tessera::store

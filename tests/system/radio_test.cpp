@@ -145,7 +145,13 @@ TEST_F(RadioModuleTest, isReadWrittenAndCheckedOnTheCommandLine) {
   EXPECT_EQ(written["uart_baud"], 115200) << "what is not named stays";
   const auto differs = run({"check", "--site", kPaper}, cli::kNotFinished);
   EXPECT_EQ(differs["advice"][0], "The module is on channel 24, the site says 23: write the site's parameters.");
-  EXPECT_EQ(run({"write", "--site", kPaper}, cli::kDone)["channel"], 23);
+  const auto addressed = run({"write", "--address", "0x12ab"}, cli::kDone);
+  EXPECT_EQ(addressed["address"], 0x12AB);
+  EXPECT_EQ(addressed["channel"], 24) << "what is not named stays";
+  EXPECT_EQ(run({"write", "--address", "65536"}, cli::kUsage).is_discarded(), true) << "no module has it";
+  const auto asTheSite = run({"write", "--site", kPaper}, cli::kDone);
+  EXPECT_EQ(asTheSite["channel"], 23);
+  EXPECT_EQ(asTheSite["address"], kSite.address);
 }
 
 }  // namespace

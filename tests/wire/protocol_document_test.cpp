@@ -105,6 +105,8 @@ TEST(ProtocolDocument, namesEveryParameterActionStateAndFault) {
   row(Parameter::LongestTick, "LongestTick");
   row(Parameter::StackFree, "StackFree");
   row(Parameter::CalibrationOutcome, "CalibrationOutcome");
+  row(Parameter::CompassSample, "CompassSample");
+  row(Action::SurveyCompass, "SurveyCompass");
   row(Action::CalibrateCompass, "CalibrateCompass");
   row(Action::Restart, "Restart");
   row(Action::RestoreDefaults, "RestoreDefaults");

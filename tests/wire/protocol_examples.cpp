@@ -89,6 +89,7 @@ std::vector<Example> protocolExamples() {
   const auto get = static_cast<std::uint8_t>(Parameter::WheelDiameter);
   const auto set = static_cast<std::uint8_t>(Parameter::MaxSpeed);
   const auto act = static_cast<std::uint8_t>(Action::CalibrateCompass);
+  const auto sample = static_cast<std::uint8_t>(static_cast<std::uint8_t>(Parameter::CompassSample) + 32);
   constexpr auto u16 = [](std::uint32_t v) { return static_cast<std::uint16_t>(v); };
   return {
       {"crc", {static_cast<std::uint8_t>(check), static_cast<std::uint8_t>(check >> 8)}},
@@ -109,6 +110,9 @@ std::vector<Example> protocolExamples() {
       {"do", sealed(session7, kHostCounter + 5, true, MessageType::Do, Request{MessageType::Do, act, 0})},
       {"value-do",
        sealed(session7, 5, false, MessageType::Value, Value{u16(kHostCounter + 5), act, Outcome::Started, 0})},
+      {"get-sample", sealed(session7, kHostCounter + 7, true, MessageType::Get, Request{MessageType::Get, sample, 0})},
+      {"value-sample", sealed(session7, 6, false, MessageType::Value,
+                              Value{u16(kHostCounter + 7), sample, Outcome::Done, packCompass({880, -1976})})},
       {"pair", sealed(session7, kPairCounter, true, MessageType::Pair,
                       makePair(kLongTerm7, kNew7, {{kHostNonce, kBoot, 1}, kPairCounter}))},
       {"paired", sealed(kNew7, 0, false, MessageType::Paired, Paired{kHostNonce, kPairCounter, Outcome::Done})},

@@ -40,6 +40,8 @@ def take(to, sender, kind, low, payload, at):
     if kind == 1 and to == me and low == 0 and hmac.compare_digest(mac(key, 0, to, 0, 1, body), tag):
         nonce, last = struct.unpack("<II", body)
         if not prepared or prepared["nonce"] != nonce:
+            if hellos == 65535:
+                return
             hellos += 1
             text = b"tessera session" + struct.pack("<IIH", nonce, boot, hellos)
             prepared = {"nonce": nonce, "last": last, "key": hmac.digest(key, text, hashlib.sha256)[:16]}

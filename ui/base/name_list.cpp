@@ -1,8 +1,11 @@
 #include "ui/base/name_list.h"
 
+#include <algorithm>
+
 namespace tessera::ui {
 namespace {
 
+constexpr int kMostRows = 3;                  // that are seen whole, however little room there is
 constexpr int kKnownNameRole = Qt::UserRole;  // as the document has it, while the item's text is being edited
 
 }  // namespace
@@ -42,6 +45,7 @@ QString NameList::setNames(const QStringList& names, const QString& chosen) {
     setCurrentRow(row);
   }
   filling_ = false;
+  if (count() > 0) setMinimumHeight(std::clamp(count(), 2, kMostRows) * sizeHintForRow(0) + 2 * frameWidth());
   if (row >= 0 || chosen.isEmpty()) return chosen;
   return sameCount && wasChosen ? names[before] : QString{};
 }

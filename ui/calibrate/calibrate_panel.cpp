@@ -7,6 +7,7 @@
 
 #include "ui/base/icon.h"
 #include "ui/base/wording.h"
+#include "ui/calibrate/panel_parts.h"
 
 namespace tessera::ui {
 namespace {
@@ -37,25 +38,13 @@ CalibratePanel::CalibratePanel(Calibration& work, FleetLink& fleet, Selection& s
 }
 
 void CalibratePanel::build() {
-  const auto label = [this](const char* name) {
-    auto* made = new QLabel{this};
-    made->setObjectName(QLatin1String{name});
-    made->setWordWrap(true);
-    made->setTextFormat(Qt::PlainText);
-    return made;
-  };
-  const auto button = [this](const char* name, const char* picture) {
-    auto* made = new QPushButton{icon(QLatin1String{picture}), QString{}, this};
-    made->setObjectName(QLatin1String{name});
-    return made;
-  };
-  name_ = label("calibratedVehicle");
-  hint_ = label("calibrateHint");
-  progress_ = label("calibrateProgress");
-  figure_ = button("drawFigure", "route");
-  record_ = button("recordCalibration", "run");
-  reset_ = button("resetCalibration", "clear");
-  accept_ = button("acceptCalibration", "check");
+  name_ = sentenceLabel(this, "calibratedVehicle");
+  hint_ = sentenceLabel(this, "calibrateHint");
+  progress_ = sentenceLabel(this, "calibrateProgress");
+  figure_ = orderButton(this, "drawFigure", "route");
+  record_ = orderButton(this, "recordCalibration", "run");
+  reset_ = orderButton(this, "resetCalibration", "clear");
+  accept_ = orderButton(this, "acceptCalibration", "check");
   wheels_ = new QCheckBox{this};
   wheels_->setObjectName(QStringLiteral("acceptWheels"));
   table_ = new QTableWidget{0, Columns, this};
@@ -100,9 +89,7 @@ void CalibratePanel::resizeEvent(QResizeEvent* event) {
 }
 
 QString CalibratePanel::name() const {
-  const auto id = work_.isRecording() ? work_.vehicle() : selection_.vehicle();
-  const auto* setup = id ? document_.map()->vehicle(*id) : nullptr;
-  return setup == nullptr ? QString{} : QString::fromStdString(setup->name);
+  return nameOf(document_, work_.isRecording() ? work_.vehicle() : selection_.vehicle());
 }
 
 void CalibratePanel::record() {

@@ -76,7 +76,7 @@ void FloorCanvas::wheelEvent(QWheelEvent* event) {
 void FloorCanvas::mousePressEvent(QMouseEvent* event) {
   lastAt_ = event->position();
   const bool pans = event->button() == Qt::MiddleButton || (space_ && event->button() == Qt::LeftButton);
-  if (event->button() == Qt::RightButton && openMarkMenu(*event)) return;
+  if (!pans && openMarkMenu(*event)) return;
   if (!pans && tool_ && tool_->mousePressed(toolMouse(*event), toolScene())) return;
   if (!pans && event->button() != Qt::LeftButton) return;
   drag_ = pans ? Drag::Panning : Drag::Waiting;
@@ -219,8 +219,10 @@ void FloorCanvas::showToolTip(QPoint pixel, QPoint global) {
   QString text;
   const QLocale locale;
   const auto place = [&locale](Metres m) { return locale.toString(m.value(), 'f', 3); };
-  const FloorMark* own = tool_ ? markAt(tool_->marks(), view_, pixel) : nullptr;
-  if (const FloorMark* mark = own != nullptr ? own : layers_.faults ? markAt(marks_, view_, pixel) : nullptr) {
+  const HandleAt handles = handlesOfTool();
+  const FloorMark* own = tool_ ? markAt(tool_->marks(), view_, pixel, handles) : nullptr;
+  const FloorMark* other = layers_.faults && own == nullptr ? markAt(marks_, view_, pixel, handles) : nullptr;
+  if (const FloorMark* mark = own != nullptr ? own : other) {
     text = mark->sentence;
   } else if (const ChangeMarks::Sign* change = changeAt(changes(), view_, pixel)) {
     text = change->sentence;

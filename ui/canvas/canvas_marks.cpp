@@ -21,11 +21,19 @@ void FloorCanvas::setMarks(std::vector<FloorMark> marks, std::optional<std::size
 
 bool FloorCanvas::openMarkMenu(const QMouseEvent& event) {
   if (!layers_.faults || (tool_ && tool_->isBusy())) return false;
-  const FloorMark* mark = markAt(marks_, view_, event.position());
+  const HandleAt handles = handlesOfTool();
+  const FloorMark* mark = markAt(marks_, view_, event.position(), handles);
   if (mark == nullptr || mark->row < 0) return false;
+  // A sign beside its handle is in nobody's way: any button will do.
+  if (event.button() != Qt::RightButton && (!handles || !handles(view_.toPixel(mark->place.centre())))) return false;
   menuMouse_ = toolMouse(event);
   Q_EMIT markMenuRequested(mark->row, event.globalPosition().toPoint());
   return true;
+}
+
+HandleAt FloorCanvas::handlesOfTool() const {
+  if (!tool_) return {};
+  return [this](QPointF pixel) { return tool_->hasHandleAt(pixel, toolScene()); };
 }
 
 void FloorCanvas::openToolMenu() {

@@ -123,14 +123,14 @@ void FloorCanvas::paintLive(QPainter& painter, const QRegion& region) {
   for (const VehicleMark& mark : seen) sprites_.paintLabel(painter, view_, theme_, mark);
   if (sprites_.isPending()) drawing_.start();
   if (!changes().empty()) changes_.paint(painter, view_, theme_);
-  if (layers_.faults && !marks_.empty()) {
-    painter.save();
-    paintMarks(painter, view_, theme_, marks_, chosenMark_);
-    painter.restore();
-  }
   if (tool_) {
     painter.save();
     tool_->paint(painter, toolScene(), theme_);
+    painter.restore();
+  }
+  if (layers_.faults && !marks_.empty()) {
+    painter.save();
+    paintMarks(painter, view_, theme_, marks_, chosenMark_, handlesOfTool());
     painter.restore();
   }
   const floor::Site& site = map_->site();
@@ -146,11 +146,13 @@ void FloorCanvas::paintEmpty(QPainter& painter) {
   painter.setFont(large);
   painter.setPen(theme_.text);
   painter.drawText(area.translated(0, -metrics.height()), Qt::AlignCenter | Qt::TextWordWrap,
-                   tr("There is no floor to show yet."));
+                   tr("This site has no tiles yet."));
   painter.setFont(font());
   painter.setPen(theme_.quietText);
-  painter.drawText(area.translated(0, metrics.height() * 0.6), Qt::AlignCenter | Qt::TextWordWrap,
-                   tr("Open a site that has tiles, or look around on the demo floor first."));
+  painter.drawText(
+      area.translated(0, metrics.height() * 0.6), Qt::AlignCenter | Qt::TextWordWrap,
+      tr("Choose Lay tiles in the tool bar (Ctrl+Shift+T) and drag over the floor. Tags that are known already come "
+         "in with Site › Import…; Edit › Floor plan… puts a drawing of the building beneath."));
 }
 
 }  // namespace tessera::ui

@@ -53,6 +53,8 @@ public:
   virtual void paint(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme) = 0;
   /// Marks that paint() shows: what they say is told under the mouse.
   [[nodiscard]] virtual std::span<const FloorMark> marks() const { return {}; }
+  /// Something that can be grabbed lies here: a mark stands beside it.
+  [[nodiscard]] virtual bool hasHandleAt(QPointF /*pixel*/, const CanvasScene& /*scene*/) const { return false; }
   /// Something is unfinished, so that no other menu shall open.
   [[nodiscard]] virtual bool isBusy() const { return false; }
   /// True: paint() shows the chosen route, perhaps as it is being changed; the canvas leaves it out.

@@ -38,6 +38,8 @@ public:
   /// What is wrong on the floor, and which of it is looked at.
   void setMarks(std::vector<FloorMark> marks, std::optional<std::size_t> chosen);
   [[nodiscard]] const std::vector<FloorMark>& marked() const { return marks_; }
+  /// Where its sign stands just now.
+  [[nodiscard]] QPointF signOf(const FloorMark& mark) const { return signAt(view_, mark, handlesOfTool()); }
   /// What the tool has for the place of the last mark whose menu was asked for.
   void openToolMenu();
   /// What differs from another state of the site, drawn upon this one; empty: nothing is compared.
@@ -133,6 +135,7 @@ private:
   [[nodiscard]] CanvasScene toolScene() const { return {view_, *map_, *index_}; }
   [[nodiscard]] ToolMouse toolMouse(const QMouseEvent& event) const;
   bool openMarkMenu(const QMouseEvent& event);
+  [[nodiscard]] HandleAt handlesOfTool() const;
   [[nodiscard]] std::optional<VehicleId> vehicleAt(QPointF pixel) const;
   [[nodiscard]] QString routeAt(QPointF pixel) const;
   void pick(QPointF pixel);

@@ -10,8 +10,7 @@ namespace tessera::ui {
 namespace {
 
 constexpr double kFrameFrom = 14.0;  // pixels of a place that is large enough for a frame of its own
-
-QPointF signAt(const View& view, const FloorMark& mark) { return view.toPixel(mark.place.centre()); }
+constexpr double kBeside = 20.0;  // pixels to the right and up from a handle, or where there is no room left and down
 
 // A triangle for a warning, an octagon for an error, an exclamation mark in both: told apart without colours too.
 void paintSign(QPainter& painter, QPointF at, bool severe, double size, const CanvasTheme& theme) {
@@ -42,17 +41,34 @@ void paintFrame(QPainter& painter, const View& view, const SiteBox& place, QPen 
   painter.drawRoundedRect(frame, 5, 5);
 }
 
+// From where it is to its sign, where that stands beside it.
+void paintTie(QPainter& painter, QPointF from, QPointF to, const CanvasTheme& theme, QColor colour) {
+  if (from == to) return;
+  for (const QPen& pen : {QPen{theme.halo, 4.0}, QPen{colour, 1.8}}) {
+    painter.setPen(pen);
+    painter.drawLine(from + 0.3 * (to - from), to);
+  }
+}
+
 }  // namespace
 
+QPointF signAt(const View& view, const FloorMark& mark, const HandleAt& handle) {
+  const QPointF middle = view.toPixel(mark.place.centre());
+  if (!handle || !handle(middle)) return middle;
+  const bool right = middle.x() + kBeside + kMarkReach < view.size().width();
+  const bool up = middle.y() - kBeside - kMarkReach > 0.0;
+  return middle + QPointF{right ? kBeside : -kBeside, up ? -kBeside : kBeside};
+}
+
 void paintMarks(QPainter& painter, const View& view, const CanvasTheme& theme, const std::vector<FloorMark>& marks,
-                std::optional<std::size_t> chosen) {
+                std::optional<std::size_t> chosen, const HandleAt& handle) {
   painter.setRenderHint(QPainter::Antialiasing);
   const SiteBox seen = view.visible(20.0);
   QSet<QPair<int, int>> taken;
   for (const bool severe : {true, false}) {
     for (const FloorMark& mark : marks) {
       if (mark.severe != severe || !mark.place.touches(seen)) continue;
-      const QPointF at = signAt(view, mark);
+      const QPointF at = signAt(view, mark, handle);
       const QPair<int, int> cell{static_cast<int>(at.x() / (2 * kMarkReach)),
                                  static_cast<int>(at.y() / (2 * kMarkReach))};
       if (taken.contains(cell)) continue;
@@ -61,6 +77,7 @@ void paintMarks(QPainter& painter, const View& view, const CanvasTheme& theme, c
       colour.setAlpha(150);
       if (view.pixels(std::max(mark.place.width(), mark.place.height())) >= kFrameFrom)
         paintFrame(painter, view, mark.place, QPen{colour, 1.5, Qt::DashLine});
+      paintTie(painter, view.toPixel(mark.place.centre()), at, theme, severe ? theme.fault : theme.waiting);
       paintSign(painter, at, severe, kMarkReach - 1, theme);
     }
   }
@@ -68,13 +85,18 @@ void paintMarks(QPainter& painter, const View& view, const CanvasTheme& theme, c
   const FloorMark& mark = marks[*chosen];
   paintFrame(painter, view, mark.place, QPen{theme.halo, 5.0});
   paintFrame(painter, view, mark.place, QPen{theme.accent, 2.5});
-  paintSign(painter, signAt(view, mark), mark.severe, kMarkReach + 2, theme);
+  const QPointF at = signAt(view, mark, handle);
+  paintTie(painter, view.toPixel(mark.place.centre()), at, theme, theme.accent);
+  paintSign(painter, at, mark.severe, kMarkReach + 2, theme);
 }
 
-const FloorMark* markAt(std::span<const FloorMark> marks, const View& view, QPointF pixel) {
+const FloorMark* markAt(std::span<const FloorMark> marks, const View& view, QPointF pixel, const HandleAt& handle) {
   const FloorMark* found = nullptr;
   for (const FloorMark& mark : marks) {
-    const QPointF away = signAt(view, mark) - pixel;
+    // Asked of few: handles cost more to find than a distance.
+    const QPointF middle = view.toPixel(mark.place.centre()) - pixel;
+    if (std::hypot(middle.x(), middle.y()) > kMarkReach + 1.5 * kBeside) continue;
+    const QPointF away = signAt(view, mark, handle) - pixel;
     if (std::hypot(away.x(), away.y()) > kMarkReach || (found != nullptr && (found->severe || !mark.severe))) continue;
     found = &mark;
   }

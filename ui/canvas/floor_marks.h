@@ -1,8 +1,10 @@
-// Marks on the floor that point at what is wrong there. Of marks that would cover one another one is drawn.
+// Marks on the floor that point at what is wrong there. Of marks that would cover one another one is drawn; where there
+// is something to be grabbed the sign stands beside it, tied to it by a line.
 #pragma once
 
 #include <QPainter>
 #include <QString>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -25,10 +27,16 @@ struct FloorMark {
 
 inline constexpr double kMarkReach = 9.0;  ///< pixels from a mark's middle
 
+/// Whether a handle lies at a pixel; empty: there are none.
+using HandleAt = std::function<bool(QPointF)>;
+
+/// The middle of the mark's sign.
+[[nodiscard]] QPointF signAt(const View& view, const FloorMark& mark, const HandleAt& handle = {});
 /// chosen: index of the one that is looked at; it lies on top, with its place framed.
 void paintMarks(QPainter& painter, const View& view, const CanvasTheme& theme, const std::vector<FloorMark>& marks,
-                std::optional<std::size_t> chosen);
+                std::optional<std::size_t> chosen, const HandleAt& handle = {});
 /// The mark whose sign lies under the pixel, errors first; nullptr: none.
-[[nodiscard]] const FloorMark* markAt(std::span<const FloorMark> marks, const View& view, QPointF pixel);
+[[nodiscard]] const FloorMark* markAt(std::span<const FloorMark> marks, const View& view, QPointF pixel,
+                                      const HandleAt& handle = {});
 
 }  // namespace tessera::ui

@@ -118,6 +118,16 @@ void LiveCharts::takeVehicle() {
   draw();
 }
 
+QString LiveCharts::whatNow() const {
+  if (document_.site().vehicles.empty())
+    return tr("The site has no vehicle yet. Set one up: Vehicle › Set up a new vehicle.");
+  if (name().isEmpty()) return tr("Choose a vehicle in the list or on the floor to see how it drives.");
+  if (link_.latest() == nullptr)
+    return tr("Nothing is known of %1 yet. Connect to the vehicles (Ctrl+K); its charts begin with its first report.")
+        .arg(name());
+  return tr("Nothing is known of %1 yet. Its charts begin with its first report.").arg(name());
+}
+
 void LiveCharts::draw() {
   if (!still_) until_ = samples_.now();
   const auto shown = samples();
@@ -125,9 +135,7 @@ void LiveCharts::draw() {
   pages_->setCurrentIndex(some ? 1 : 0);
   for (QToolButton* button : {holdButton_, clear_, save_}) button->setEnabled(some || button->isChecked());
   if (!some) {
-    hint_->setText(name().isEmpty()
-                       ? tr("Choose a vehicle in the list or on the floor to see how it drives.")
-                       : tr("Nothing is known of %1 yet. Its charts begin with its first report.").arg(name()));
+    hint_->setText(whatNow());
     return;
   }
   if (!isVisible()) return;

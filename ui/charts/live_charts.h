@@ -54,6 +54,8 @@ private:
   [[nodiscard]] QString writeValues(const QString& file) const;
   [[nodiscard]] double span() const;
   [[nodiscard]] QString name() const;
+  /// What the operator does next, while there is nothing to draw.
+  [[nodiscard]] QString whatNow() const;
 
   FleetLink& link_;
   Selection& selection_;

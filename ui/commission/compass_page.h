@@ -6,7 +6,7 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "ui/commission/ask_series.h"
+#include "ui/base/ask_series.h"
 #include "ui/commission/heading_dial.h"
 #include "ui/commission/step_page.h"
 

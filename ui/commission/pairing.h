@@ -5,7 +5,7 @@
 #include <QObject>
 #include <QTimer>
 
-#include "ui/commission/ask_series.h"
+#include "ui/base/ask_series.h"
 #include "ui/commission/commissioning.h"
 
 namespace tessera::ui {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/commission/ask_series.h"
+#include "ui/base/ask_series.h"
 #include "ui/commission/step_page.h"
 #include "wire/parameters.h"
 

@@ -3,6 +3,7 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "supervisor/parameter_texts.h"
 #include "ui/fleet/tone.h"
 
 namespace tessera::ui {
@@ -22,14 +23,17 @@ void EventModel::trim(std::size_t coming) {
 }
 
 void EventModel::append(const std::vector<supervisor::Event>& events) {
-  const std::size_t take = std::min(events.size(), kMost);
+  std::vector<JournalLine> lines;
+  for (const supervisor::Event& event : events)
+    if (!supervisor::isSample(event))
+      lines.push_back(
+          {clock_ ? clock_(event.time) : QDateTime::currentDateTime(), event.severity, event.vehicle, event.sentence});
+  const std::size_t take = std::min(lines.size(), kMost);
   if (take == 0) return;
   trim(take);
   const int first = rowCount();
   beginInsertRows({}, first, first + static_cast<int>(take) - 1);
-  for (auto event = events.end() - static_cast<std::ptrdiff_t>(take); event != events.end(); ++event)
-    lines_.push_back({clock_ ? clock_(event->time) : QDateTime::currentDateTime(), event->severity, event->vehicle,
-                      event->sentence});
+  lines_.insert(lines_.end(), lines.end() - static_cast<std::ptrdiff_t>(take), lines.end());
   endInsertRows();
 }
 

@@ -22,9 +22,9 @@ QString titleOf(const QString& text) {
 
 const std::vector<QString>& HelpPages::topics() {
   static const std::vector<QString> kTopics{
-      "start",         "floor",       "tiles",    "floorplan", "zones",    "checking",       "drivecheck", "routes",
-      "registering",   "vehicles",    "running",  "charts",    "locating", "events",         "connecting", "radio",
-      "commissioning", "calibrating", "exchange", "revisions", "keyboard", "troubleshooting"};
+      "start",         "floor",       "tiles",   "floorplan", "zones",     "checking", "drivecheck",     "routes",
+      "registering",   "vehicles",    "running", "charts",    "locating",  "events",   "connecting",     "radio",
+      "commissioning", "calibrating", "compass", "exchange",  "revisions", "keyboard", "troubleshooting"};
   return kTopics;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "floor/laid_tile.h"
+#include "floor/tile_finder.h"
 #include "region/region.h"
 
 namespace tessera::ui {
@@ -27,14 +28,10 @@ SiteBox around(const Box& box) { return {box.low, box.high}; }
 class Finder {
 public:
   explicit Finder(const floor::Site& site) {
-    std::unordered_map<std::string_view, const floor::TileType*> types;
-    for (const floor::TileType& type : site.tileTypes) types.emplace(type.name, &type);
-    std::unordered_map<std::string_view, const floor::TileType*> typeOf;
-    for (const floor::Tile& tile : site.tiles)
-      if (const auto type = types.find(tile.type); type != types.end()) typeOf.emplace(tile.serial, type->second);
-    for (const floor::Placement& placement : site.placements)
-      if (const auto type = typeOf.find(placement.serial); type != typeOf.end())
-        tiles_.emplace(placement.serial, boxOf(placement, *type->second));
+    floor::LaidTypes types{site};
+    for (std::size_t n = 0; n < site.placements.size(); ++n)
+      if (const floor::TileType* type = types.find(site.placements[n], n))
+        tiles_.emplace(site.placements[n].serial, boxOf(site.placements[n], *type));
     for (const floor::Zone& zone : site.zones)
       lines_.emplace(std::pair{'z', std::string_view{zone.name}}, &zone.outline);
     for (const floor::Route& route : site.routes)

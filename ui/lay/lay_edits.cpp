@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 #include "floor/laid_tile.h"
+#include "floor/tile_finder.h"
 #include "region/box_tree.h"
 
 namespace tessera::ui {
@@ -29,19 +29,13 @@ const floor::TileType* LayEdits::type(const std::string& name) const {
 
 std::vector<LayEdits::Laid> LayEdits::laid() const {
   const floor::Site& site = document_.site();
-  std::unordered_map<std::string_view, const floor::TileType*> types;
-  for (const floor::TileType& t : site.tileTypes) types.emplace(t.name, &t);
-  std::unordered_map<std::string_view, const floor::TileType*> typeOf;
-  typeOf.reserve(site.tiles.size());
-  for (const floor::Tile& tile : site.tiles) {
-    if (const auto found = types.find(tile.type); found != types.end()) typeOf.emplace(tile.serial, found->second);
-  }
+  floor::LaidTypes types{site};
   std::vector<Laid> all;
   all.reserve(site.placements.size());
   for (std::size_t n = 0; n < site.placements.size(); ++n) {
     const floor::Placement& placement = site.placements[n];
-    if (const auto found = typeOf.find(placement.serial); found != typeOf.end())
-      all.push_back({n, found->second, floor::boxOf(placement, *found->second)});
+    if (const floor::TileType* type = types.find(placement, n))
+      all.push_back({n, type, floor::boxOf(placement, *type)});
   }
   return all;
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 #include "floor/laid_tile.h"
+#include "floor/tile_finder.h"
 
 namespace tessera::ui {
 namespace {
@@ -35,19 +35,14 @@ void TileStamp::turn() {
 }
 
 TileStamp stampOf(const floor::Site& site, const TileSet& tiles) {
-  std::unordered_map<std::string_view, const floor::TileType*> types;
-  for (const floor::TileType& type : site.tileTypes) types.emplace(type.name, &type);
-  std::unordered_map<std::string_view, const floor::TileType*> typeOf;
-  for (const floor::Tile& tile : site.tiles) {
-    const auto type = types.find(tile.type);
-    if (type != types.end() && tiles.contains(tile.serial)) typeOf.emplace(tile.serial, type->second);
-  }
+  floor::LaidTypes types{site};
   TileStamp stamp;
   std::vector<Box> boxes;
-  for (const floor::Placement& placement : site.placements) {
-    const auto found = typeOf.find(placement.serial);
-    if (found == typeOf.end()) continue;
-    const floor::TileType& type = *found->second;
+  for (std::size_t n = 0; n < site.placements.size(); ++n) {
+    const floor::Placement& placement = site.placements[n];
+    const floor::TileType* laid = tiles.contains(placement.serial) ? types.find(placement, n) : nullptr;
+    if (laid == nullptr) continue;
+    const floor::TileType& type = *laid;
     boxes.push_back(floor::boxOf(placement, type));
     stamp.tiles.push_back({type.name, boxes.back().low, placement.quarterTurns});
     const bool known = std::any_of(stamp.types.begin(), stamp.types.end(),

@@ -82,6 +82,7 @@ void TilePanel::refreshNext() {
   layMode_->setChecked(tool_.mode() == LayTool::Mode::Lay);
   chooseMode_->setChecked(tool_.mode() == LayTool::Mode::Choose);
   type_->setCurrentIndex(type_->findText(QString::fromStdString(tool_.brush())));
+  type_->setToolTip(type_->currentText());
   const floor::SerialRule& rule = tool_.rule();
   if (const QString prefix = QString::fromStdString(rule.prefix); prefix_->text() != prefix) prefix_->setText(prefix);
   digits_->setValue(rule.digits);

@@ -133,8 +133,10 @@ QWidget* TilePanel::makeNext() {
   nextLabel_ = new QLabel;
   auto* form = new QFormLayout{page};
   form->setContentsMargins(0, 0, 0, 0);
-  form->addRow(typeLabel_, type_);
-  form->addRow(QString{}, types_);
+  // Names of types are long: the whole width is theirs.
+  form->addRow(typeLabel_);
+  form->addRow(type_);
+  form->addRow(types_);
   form->addRow(prefixLabel_, prefix_);
   form->addRow(digitsLabel_, digits_);
   form->addRow(numberLabel_, number_);

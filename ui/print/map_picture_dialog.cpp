@@ -19,9 +19,10 @@ constexpr QSizeF kA3{420.0, 297.0};
 constexpr std::size_t kMostShown = 50'000;
 
 // The largest usual scale with which the sheet fits a page of A3, either way.
-double fittingScale(const std::shared_ptr<const floor::SiteMap>& map) {
+double fittingScale(const std::shared_ptr<const floor::SiteMap>& map, bool plan) {
   for (const double scale : kScales) {
     SheetWish wish;
+    wish.plan = plan;
     wish.scale = scale;
     const QSizeF mm = MapSheet{map, wish}.millimetres();
     if ((mm.width() <= kA3.width() && mm.height() <= kA3.height()) ||
@@ -33,14 +34,15 @@ double fittingScale(const std::shared_ptr<const floor::SiteMap>& map) {
 
 }  // namespace
 
-MapPictureDialog::MapPictureDialog(std::shared_ptr<const floor::SiteMap> map, QWidget* parent)
+MapPictureDialog::MapPictureDialog(std::shared_ptr<const floor::SiteMap> map, bool planShown, QWidget* parent)
     : QDialog{parent}, map_{std::move(map)} {
   setObjectName(QStringLiteral("mapPictureDialog"));
   setProperty("helpTopic", QStringLiteral("exchange"));
   setWindowTitle(tr("Picture of the map"));
   scale_ = new QComboBox;
   scale_->setObjectName(QStringLiteral("pictureScale"));
-  const double fitting = fittingScale(map_);
+  const bool hasPlan = map_->site().backdrop.has_value();
+  const double fitting = fittingScale(map_, hasPlan && planShown);
   for (const double scale : kScales) {
     scale_->addItem(tr("1 : %1").arg(QLocale().toString(scale, 'g', 6)), scale);
     if (scale == fitting) scale_->setCurrentIndex(scale_->count() - 1);
@@ -49,7 +51,6 @@ MapPictureDialog::MapPictureDialog(std::shared_ptr<const floor::SiteMap> map, QW
     auto* check = new QCheckBox{text};
     check->setObjectName(QString::fromLatin1(name));
     check->setChecked(true);
-    connect(check, &QCheckBox::toggled, this, &MapPictureDialog::look);
     return check;
   };
   tags_ = box(tr("&Tags"), "pictureTags");
@@ -57,6 +58,9 @@ MapPictureDialog::MapPictureDialog(std::shared_ptr<const floor::SiteMap> map, QW
   zones_ = box(tr("&Zones"), "pictureZones");
   routes_ = box(tr("&Routes"), "pictureRoutes");
   legend_ = box(tr("&Legend"), "pictureLegend");
+  plan_ = box(tr("Floor &plan"), "picturePlan");
+  plan_->setEnabled(hasPlan);
+  plan_->setChecked(hasPlan && planShown);
   size_ = new QLabel;
   size_->setObjectName(QStringLiteral("pictureSize"));
   picture_ = new QLabel;
@@ -66,7 +70,10 @@ MapPictureDialog::MapPictureDialog(std::shared_ptr<const floor::SiteMap> map, QW
   auto* form = new QFormLayout;
   form->addRow(tr("&Scale:"), scale_);
   form->addRow(tr("Paper:"), size_);
-  for (QCheckBox* check : {tags_, serials_, zones_, routes_, legend_}) form->addRow(QString{}, check);
+  for (QCheckBox* check : {tags_, serials_, zones_, routes_, plan_, legend_}) {
+    form->addRow(QString{}, check);
+    connect(check, &QCheckBox::toggled, this, &MapPictureDialog::look);
+  }
   auto* buttons = new QDialogButtonBox{QDialogButtonBox::Save | QDialogButtonBox::Cancel};
   buttons->button(QDialogButtonBox::Save)->setText(tr("Sa&ve as…"));
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -91,6 +98,7 @@ SheetWish MapPictureDialog::wish() const {
   wish.zones = zones_->isChecked();
   wish.routes = routes_->isChecked();
   wish.legend = legend_->isChecked();
+  wish.plan = plan_->isChecked();
   wish.date = QLocale().toString(QDate::currentDate(), QLocale::ShortFormat);
   return wish;
 }

@@ -16,7 +16,8 @@ namespace tessera::ui {
 class MapPictureDialog : public QDialog {
   Q_OBJECT
 public:
-  explicit MapPictureDialog(std::shared_ptr<const floor::SiteMap> map, QWidget* parent = nullptr);
+  /// planShown: the picture of the building is to be seen in the window; otherwise it is left out unless it is wished.
+  explicit MapPictureDialog(std::shared_ptr<const floor::SiteMap> map, bool planShown, QWidget* parent = nullptr);
 
   [[nodiscard]] SheetWish wish() const;
 
@@ -33,6 +34,7 @@ private:
   QCheckBox* zones_;
   QCheckBox* routes_;
   QCheckBox* legend_;
+  QCheckBox* plan_;
   QLabel* size_;
   QLabel* picture_;
 };

@@ -18,6 +18,7 @@ namespace {
 constexpr double kEdge = 24.0;
 constexpr double kLeastWidth = 420.0;
 constexpr Metres kAround{0.3};
+constexpr double kDotsPerUnitOfPlan = 300.0 / 96.0;  // of a picture on paper the eye sees no more
 
 class SheetText {
   Q_DECLARE_TR_FUNCTIONS(MapSheet)
@@ -84,6 +85,10 @@ MapSheet::MapSheet(std::shared_ptr<const floor::SiteMap> map, const SheetWish& w
     for (const Point& p : zone.outline) shown_.add(p);
   for (const floor::Route& route : site.routes)
     for (const Point& p : route.vertices) shown_.add(p);
+  if (wish_.plan && site.backdrop) plan_ = BackdropPicture::of(site.backdrop->picture);
+  if (plan_ && plan_->fault()) plan_.reset();
+  if (plan_)
+    for (const Point& p : cornersOf(*site.backdrop, plan_->size())) shown_.add(p);
   if (shown_.empty()) shown_.add(Point{});
   shown_ = shown_.grown(kAround);
   const double perMetre = 1000.0 / wish_.scale * kUnitsPerMm;
@@ -134,11 +139,19 @@ void MapSheet::paintFloor(QPainter& painter, const QRectF& area) const {
   const CanvasTheme theme = paper();
   painter.save();
   painter.translate(area.topLeft());
+  if (plan_) paintPlan(painter, view, {{}, area.size()});
   paintTiles(painter, view, theme);
   if (wish_.zones) paintZones(painter, view, map_->site().zones, theme);
   if (wish_.routes)
     for (const floor::Route& route : map_->site().routes) paintRoute(painter, view, theme, route, RouteLook::Quiet);
   painter.restore();
+}
+
+void MapSheet::paintPlan(QPainter& painter, const View& view, const QRectF& area) const {
+  View fine{view.size(), kDotsPerUnitOfPlan};
+  fine.setScale(view.scale());
+  fine.centreOn(view.centre());
+  paintBackdrop(painter, fine, *map_->site().backdrop, *plan_, area);
 }
 
 void MapSheet::paintTiles(QPainter& painter, const View& view, const CanvasTheme& theme) const {

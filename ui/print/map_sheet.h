@@ -6,6 +6,7 @@
 #include <QString>
 
 #include "floor/site_map.h"
+#include "ui/canvas/backdrop_picture.h"
 #include "ui/canvas/floor_index.h"
 #include "ui/canvas/site_box.h"
 
@@ -18,7 +19,8 @@ struct SheetWish {
   bool zones = true;
   bool routes = true;
   bool legend = true;
-  QString date;  ///< stands in the title; empty: none
+  bool plan = true;  ///< the picture of the building beneath, where the site has one
+  QString date;      ///< stands in the title; empty: none
 };
 
 /// The sheet's unit of length: so many make a millimetre. Fonts and lines have their usual size in it.
@@ -39,6 +41,7 @@ public:
 
 private:
   void paintTitle(QPainter& painter) const;
+  void paintPlan(QPainter& painter, const class View& view, const QRectF& area) const;
   void paintFloor(QPainter& painter, const QRectF& area) const;
   void paintTiles(QPainter& painter, const class View& view, const class CanvasTheme& theme) const;
   void paintLegend(QPainter& painter, const QRectF& area) const;
@@ -46,6 +49,7 @@ private:
 
   std::shared_ptr<const floor::SiteMap> map_;
   SheetWish wish_;
+  std::shared_ptr<const BackdropPicture> plan_;  ///< null: none is drawn
   FloorIndex index_;
   SiteBox shown_;
   QSizeF size_;

@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <QString>
 
-#include "scan/walk.h"
+#include "scan/registration.h"
 #include "ui/base/site_document.h"
 
 namespace tessera::ui {
@@ -15,14 +15,20 @@ public:
   explicit RegisterEdits(SiteDocument& document) : document_{document} {}
 
   Result<void> put(const scan::PlaceName& place, const floor::TagUid& uid);
-  /// What stood there before a registration that is taken back; empty: nothing.
-  Result<void> takeBack(const scan::PlaceName& place, const floor::TagUid& before);
+  // Several tags, all of one tile, in one step.
+
+  /// What stood there before a registration that is taken back.
+  Result<void> takeBack(const std::vector<scan::Put>& puts);
+  /// Two tags took each other's places.
+  Result<void> exchange(const std::vector<scan::Put>& puts);
+  /// No tag is registered there any more, to be read once more.
+  Result<void> readAnew(const std::vector<scan::Put>& puts);
   /// No tag of the tile is registered any more.
   Result<void> clear(const QString& serial);
 
 private:
   Result<void> set(const QString& step, const std::string& serial, std::vector<floor::TagUid> uids);
-  [[nodiscard]] std::vector<floor::TagUid> with(const scan::PlaceName& place, const floor::TagUid& uid) const;
+  Result<void> setAll(const QString& step, const std::vector<scan::Put>& puts);
 
   SiteDocument& document_;
 };

@@ -32,10 +32,12 @@ void RegisterPanel::showState() {
   const int wanted = registrar_.state() == Registrar::State::Idle ? 0 : 1;
   if (wanted == currentIndex()) return;
   setCurrentIndex(wanted);
-  if (wanted == 0)
+  if (wanted == 0) {
+    setup_->setSounds(registrar_.reader().sounds);
     setup_->refresh();
-  else
+  } else {
     page_->setFocus();
+  }
 }
 
 }  // namespace tessera::ui

@@ -1,6 +1,7 @@
 #include "ui/register/registrar.h"
 
 #include <QApplication>
+#include <utility>
 
 #include "ui/base/wording.h"
 
@@ -78,6 +79,7 @@ void Registrar::end() {
   asking_.stop();
   bench_.close();
   registration_.reset();
+  question_.reset();
   Q_EMIT changed();
 }
 
@@ -93,16 +95,23 @@ std::optional<Point> Registrar::point() const {
 
 void Registrar::take(const scan::Heard& heard) {
   if (state_ != State::Scanning || !registration_) return;
-  if (const auto* sentence = std::get_if<Sentence>(&heard)) return refuse({text(*sentence), {}, false});
+  if (const auto* sentence = std::get_if<Sentence>(&heard)) {
+    question_.reset();
+    return refuse({text(*sentence), {}, false});
+  }
   using Verdict = scan::Answer::Verdict;
   const auto& read = std::get<scan::TagRead>(heard);
   const scan::Answer answer = registration_->offer(read, now());
+  if (answer.verdict != Verdict::Repeated) question_.reset();
   switch (answer.verdict) {
     case Verdict::Repeated:
       return;
     case Verdict::Accepted:
     case Verdict::Confirmed:
       return accept(read.uid);
+    case Verdict::OnThisTile:
+      question_ = Question{read.uid, !scan::uidAt(registration_->site(), *registration_->stop()).empty()};
+      return refuse({text(answer.sentence), answer.where, false});
     case Verdict::InUse:
     case Verdict::Elsewhere:
     case Verdict::Finished:
@@ -111,26 +120,60 @@ void Registrar::take(const scan::Heard& heard) {
 }
 
 void Registrar::accept(const floor::TagUid& uid) {
+  if (edit([&] { return edits_.put(*place(), uid); })) onwards(uid);
+}
+
+bool Registrar::edit(const std::function<Result<void>()>& what) {
   editing_ = true;
-  const auto done = edits_.put(*place(), uid);
+  const auto done = what();
   editing_ = false;
-  if (!done) return refuse({text(done.error().sentence), {}, false});
+  if (!done) refuse({text(done.error().sentence), {}, false});
+  return done.has_value();
+}
+
+void Registrar::onwards(const floor::TagUid& uid) {
   registration_->registered(document_.map(), uid, now());
   keep();
-  sound(1);
+  sound(Sound::Registered);
   Q_EMIT accepted(uid);
   Q_EMIT changed();
 }
 
+void Registrar::exchange() {
+  if (!registration_ || !question_) return;
+  const floor::TagUid uid = std::exchange(question_, {})->uid;
+  const auto puts = registration_->exchange(uid);
+  if (!puts.empty() && edit([&] { return edits_.exchange(puts); })) onwards(uid);
+}
+
+void Registrar::readAnew() {
+  if (!registration_ || !question_) return;
+  const floor::TagUid uid = std::exchange(question_, {})->uid;
+  const auto here = place();
+  const auto puts = registration_->anew();
+  if (!edit([&] { return edits_.readAnew(puts); })) return;
+  registration_->cleared(document_.map());
+  // The tag in the hand is the first one of the tile; otherwise the reader has to go back to it.
+  if (place() == here) return accept(uid);
+  moved();
+}
+
 void Registrar::refuse(Refusal refusal) {
-  sound(2);
+  sound(Sound::Refused);
   Q_EMIT refused(refusal);
 }
 
-void Registrar::sound(int times) {
+void Registrar::setSounds(bool on) {
+  if (on == choice_.sounds) return;
+  choice_.sounds = on;
+  memory_.setReader(choice_);
+}
+
+void Registrar::sound(Sound sound) {
   if (!choice_.sounds) return;
+  if (sounder_) return sounder_(sound);
   QApplication::beep();
-  if (times > 1) secondBeep_.start();
+  if (sound == Sound::Refused) secondBeep_.start();
 }
 
 void Registrar::documentChanged() {
@@ -150,6 +193,7 @@ void Registrar::keep() {
 }
 
 void Registrar::moved() {
+  question_.reset();
   keep();
   Q_EMIT changed();
 }
@@ -163,10 +207,9 @@ void Registrar::setPaused(bool paused) {
 
 void Registrar::back() {
   if (!registration_) return;
-  const auto step = registration_->back();
-  if (step && step->wasRegistered)
-    if (const auto done = edits_.takeBack(step->place, step->before); !done)
-      Q_EMIT refused({text(done.error().sentence), {}, false});
+  const auto puts = registration_->back();
+  if (!puts.empty()) (void)edit([&] { return edits_.takeBack(puts); });
+  registration_->restored(document_.map());
   moved();
 }
 

@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <functional>
 #include <optional>
 
 #include "ui/register/keyboard_reader.h"
@@ -24,6 +25,11 @@ public:
     std::optional<scan::PlaceName> where;
     bool belongsThere = false;  ///< the tag says so itself; otherwise it is registered there
   };
+  /// A tag was read that is registered at another place of the tile: what shall be done about it?
+  struct Question {
+    floor::TagUid uid;
+    bool isHereOne = false;  ///< another tag is registered at the place: the two would be exchanged
+  };
 
   /// All must outlive it.
   Registrar(SiteDocument& document, ScanBench& bench, RegisterMemory& memory, QObject* parent = nullptr);
@@ -36,6 +42,8 @@ public:
   /// Where a scan is to go; nullopt: idle, or all is done.
   [[nodiscard]] std::optional<scan::PlaceName> place() const;
   [[nodiscard]] std::optional<Point> point() const;
+  /// Nullopt: none is open. Any step but an answer gives it up.
+  [[nodiscard]] const std::optional<Question>& question() const { return question_; }
   [[nodiscard]] ScanBench& bench() { return bench_; }
   [[nodiscard]] RegisterMemory& memory() { return memory_; }
   [[nodiscard]] SiteDocument& document() { return document_; }
@@ -51,6 +59,13 @@ public:
   void previous();
   void goTo(const scan::PlaceName& place);
   void takeUpSkipped();
+  // Answers to the question.
+  void exchange();
+  void readAnew();
+  void setSounds(bool on);
+  enum class Sound { Registered, Refused };
+  /// What sounds in place of the system's beep, which is one for a tag that is registered and two for one that is not.
+  void setSounder(std::function<void(Sound)> sounder) { sounder_ = std::move(sounder); }
   /// A read, or what came in place of one.
   void take(const scan::Heard& heard);
 
@@ -66,11 +81,14 @@ Q_SIGNALS:
 private:
   void connectReader();
   void accept(const floor::TagUid& uid);
+  /// Ours: the walk follows it by itself. False: it was refused, which has been told.
+  bool edit(const std::function<Result<void>()>& what);
+  void onwards(const floor::TagUid& uid);
   void refuse(Refusal refusal);
   void documentChanged();
   void keep();
   void moved();
-  void sound(int times);
+  void sound(Sound sound);
   [[nodiscard]] Seconds now() const { return Seconds{static_cast<double>(clock_.elapsed()) / 1000.0}; }
 
   SiteDocument& document_;
@@ -84,6 +102,8 @@ private:
   Contact contact_ = Contact::Keyboard;
   std::optional<scan::Registration> registration_;
   std::optional<scan::Course> kept_;
+  std::optional<Question> question_;
+  std::function<void(Sound)> sounder_;
   QElapsedTimer clock_;
   QTimer asking_;
   QTimer secondBeep_;

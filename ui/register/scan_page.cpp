@@ -35,6 +35,9 @@ ScanPage::ScanPage(Registrar& registrar, QWidget* parent) : QWidget{parent}, reg
     notice_.clear();
     registrar_.goTo(*refusal.where);
   });
+  connect(&exchange_, &QPushButton::clicked, &registrar_, &Registrar::exchange);
+  connect(&anew_, &QPushButton::clicked, this, &ScanPage::readAnew);
+  connect(&sounds_, &QCheckBox::toggled, &registrar_, &Registrar::setSounds);
   connect(&back_, &QPushButton::clicked, &registrar_, &Registrar::back);
   connect(&skip_, &QPushButton::clicked, &registrar_, &Registrar::skip);
   connect(&pause_, &QPushButton::clicked, this,
@@ -53,21 +56,24 @@ void ScanPage::build() {
   title_.setFont(large);
   for (QLabel* label : {&title_, &detail_, &contact_, &count_}) label->setWordWrap(true);
   const std::pair<QObject*, const char*> names[] = {
-      {&title_, "scanTitle"},       {&detail_, "scanDetail"}, {&contact_, "scanContact"}, {&count_, "scanCount"},
-      {&notice_, "scanNotice"},     {&where_, "scanWhere"},   {&bar_, "scanProgress"},    {&back_, "scanBack"},
-      {&skip_, "scanSkip"},         {&pause_, "scanPause"},   {&end_, "scanEnd"},         {&skipped_, "scanSkipped"},
-      {&previous_, "scanPrevious"}, {&next_, "scanNext"}};
+      {&title_, "scanTitle"},       {&detail_, "scanDetail"}, {&contact_, "scanContact"},   {&count_, "scanCount"},
+      {&notice_, "scanNotice"},     {&where_, "scanWhere"},   {&bar_, "scanProgress"},      {&back_, "scanBack"},
+      {&skip_, "scanSkip"},         {&pause_, "scanPause"},   {&end_, "scanEnd"},           {&skipped_, "scanSkipped"},
+      {&previous_, "scanPrevious"}, {&next_, "scanNext"},     {&exchange_, "scanExchange"}, {&anew_, "scanAnew"},
+      {&sounds_, "scanSound"}};
   for (const auto& [object, name] : names) object->setObjectName(QString::fromLatin1(name));
   back_.setIcon(icon(QStringLiteral("undo")));
   skip_.setIcon(icon(QStringLiteral("to-end")));
   end_.setIcon(icon(QStringLiteral("close")));
   where_.setIcon(icon(QStringLiteral("place")));
+  exchange_.setIcon(icon(QStringLiteral("reverse")));
+  anew_.setIcon(icon(QStringLiteral("revert")));
   previous_.setIcon(icon(QStringLiteral("arrow-left")));
   next_.setIcon(icon(QStringLiteral("arrow-right")));
   bar_.setTextVisible(false);
   // A reader's Enter must press none of them.
-  for (QAbstractButton* button :
-       std::initializer_list<QAbstractButton*>{&where_, &back_, &skip_, &pause_, &end_, &skipped_, &previous_, &next_})
+  for (QAbstractButton* button : std::initializer_list<QAbstractButton*>{
+           &where_, &exchange_, &anew_, &back_, &skip_, &pause_, &end_, &skipped_, &previous_, &next_, &sounds_})
     button->setFocusPolicy(Qt::TabFocus);
 
   auto* head = new QHBoxLayout;
@@ -85,13 +91,17 @@ void ScanPage::build() {
   column->addWidget(&picture_, 1);
   column->addWidget(&notice_);
   column->addWidget(&where_);
+  column->addWidget(&exchange_);
+  column->addWidget(&anew_);
   column->addWidget(&skipped_);
   column->addWidget(&bar_);
   column->addWidget(&count_);
-  column->addWidget(&contact_);
+  auto* foot = new QHBoxLayout;
+  foot->addWidget(&contact_, 1);
+  foot->addWidget(&sounds_);
+  column->addLayout(foot);
   column->addLayout(buttons);
-  where_.hide();
-  skipped_.hide();
+  for (QWidget* later : {&where_, &exchange_, &anew_, &skipped_}) later->hide();
 }
 
 void ScanPage::refresh() {
@@ -105,6 +115,11 @@ void ScanPage::refresh() {
   next_.setEnabled(place.has_value());
   skipped_.setVisible(!place && registration->progress().skipped > 0);
   picture_.setVisible(place.has_value());
+  sounds_.setChecked(registrar_.reader().sounds);
+  if (asked_ && !registrar_.question()) {
+    forgetRefusal();
+    notice_.clear();
+  }
   showContact();
   showProgress();
   if (!place) {
@@ -166,7 +181,8 @@ void ScanPage::showContact() {
 
 void ScanPage::forgetRefusal() {
   refusal_.reset();
-  where_.hide();
+  asked_ = false;
+  for (QWidget* button : {&where_, &exchange_, &anew_}) button->hide();
 }
 
 void ScanPage::showAccepted(const floor::TagUid& uid) {
@@ -179,8 +195,30 @@ void ScanPage::showRefused(const Registrar::Refusal& refusal) {
   refusal_ = refusal;
   where_.setText(refusal.belongsThere ? tr("Go on there") : tr("Show it"));
   where_.setVisible(refusal.where.has_value());
-  notice_.show(Notice::Tone::Error, refusal.sentence);
+  const auto& question = registrar_.question();
+  asked_ = question.has_value();
+  exchange_.setVisible(asked_);
+  anew_.setVisible(asked_);
+  if (!question) {
+    notice_.show(Notice::Tone::Error, refusal.sentence);
+  } else if (question->isHereOne) {
+    exchange_.setText(tr("Exchange the two"));
+    notice_.show(
+        Notice::Tone::Warning,
+        tr("%1 Exchange it with the one that is registered here, or read the whole tile anew?").arg(refusal.sentence));
+  } else {
+    exchange_.setText(tr("Move it here"));
+    notice_.show(Notice::Tone::Warning, tr("%1 Move it here, or read the whole tile anew?").arg(refusal.sentence));
+  }
   picture_.flash(TilePicture::Flash::Bad);
+}
+
+void ScanPage::readAnew() {
+  registrar_.readAnew();
+  // Where the tag in the hand was the first one of the tile, that has been said.
+  if (notice_.text().isEmpty())
+    notice_.show(Notice::Tone::Info,
+                 tr("The tile's tags are read anew, from the lit one on. One step back brings the old ones back."));
 }
 
 bool ScanPage::wantsKey(const QKeyEvent& key) {
@@ -223,6 +261,9 @@ void ScanPage::retranslate() {
   end_.setToolTip(tr("To go on another time"));
   skipped_.setText(tr("Visit the skipped places"));
   pause_.setToolTip(tr("Reads do not count meanwhile (Pause)"));
+  anew_.setText(tr("Read the whole tile anew"));
+  anew_.setToolTip(tr("Its tags are taken off and read from the first one on"));
+  sounds_.setText(tr("Sounds"));
   previous_.setAccessibleName(tr("Previous place"));
   previous_.setToolTip(tr("Previous place (Page Up)"));
   next_.setAccessibleName(tr("Next place"));

@@ -1,6 +1,7 @@
 // While registering: where to hold the reader, what became of the last read, how far it is.
 #pragma once
 
+#include <QCheckBox>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -39,15 +40,18 @@ private:
   void showAccepted(const floor::TagUid& uid);
   void showRefused(const Registrar::Refusal& refusal);
   void forgetRefusal();
+  void readAnew();
 
   Registrar& registrar_;
   QLabel title_, detail_, contact_, count_;
   TilePicture picture_;
   Notice notice_;
-  QPushButton where_;
+  QPushButton where_, exchange_, anew_;
   QProgressBar bar_;
   QPushButton back_, skip_, pause_, end_, skipped_;
   QToolButton previous_, next_;
+  QCheckBox sounds_;
+  bool asked_ = false;  ///< the refusal that is shown is a question
   std::optional<Registrar::Refusal> refusal_;
 };
 

@@ -22,6 +22,8 @@ public:
   void refresh();
   /// This tile alone, as if it had been typed.
   void setTile(const QString& serial);
+  /// As they were switched while scanning.
+  void setSounds(bool on) { sounds_.setChecked(on); }
 
 Q_SIGNALS:
   void startRequested(const tessera::scan::Course& course, const tessera::ui::ReaderChoice& reader);

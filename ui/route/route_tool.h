@@ -33,6 +33,7 @@ public:
   bool mouseDoubleClicked(const ToolMouse& mouse, const CanvasScene& scene) override;
   void paint(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme) override;
   [[nodiscard]] std::span<const FloorMark> marks() const override { return trialFaults_; }
+  [[nodiscard]] bool hasHandleAt(QPointF pixel, const CanvasScene& scene) const override;
   [[nodiscard]] bool drawsChosenRoute() const override { return true; }
   [[nodiscard]] QCursor cursor() const override;
   [[nodiscard]] QString hint() const override;

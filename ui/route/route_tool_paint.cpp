@@ -1,6 +1,8 @@
 // What the route tool shows: the unfinished route with its rubber band, the handles of the chosen one, the numbers, and
 // what is wrong with it.
 #include <QFontMetricsF>
+#include <QLineF>
+#include <algorithm>
 
 #include "ui/canvas/clip.h"
 #include "ui/canvas/readout.h"
@@ -21,8 +23,21 @@ void RouteTool::paint(QPainter& painter, const CanvasScene& scene, const CanvasT
     paintRoute(painter, scene.view, theme, shown, isDrawing() ? RouteLook::Quiet : RouteLook::Chosen);
     if (!isDrawing()) paintHandles(painter, scene, theme, shown);
   }
-  paintMarks(painter, scene.view, theme, trialFaults_, std::nullopt);
+  paintMarks(painter, scene.view, theme, trialFaults_, std::nullopt,
+             [&](QPointF pixel) { return hasHandleAt(pixel, scene); });
   if (isDrawing()) paintDraft(painter, scene, theme);
+}
+
+// Of what is drawn, and of what is being drawn: a sign upon the vertex in the hand would hide where that goes.
+bool RouteTool::hasHandleAt(QPointF pixel, const CanvasScene& scene) const {
+  const auto at = [&](const std::vector<Point>& vertices) {
+    return std::any_of(vertices.begin(), vertices.end(), [&](Point p) {
+      return QLineF{scene.view.toPixel(p), pixel}.length() <= kMarkReach + kHandle;
+    });
+  };
+  if (isDrawing()) return at(draft());
+  const floor::Route* chosen = route();
+  return chosen != nullptr && at(drag_ ? drag_->route.vertices : chosen->vertices);
 }
 
 std::optional<floor::Route> RouteTool::trial() const {

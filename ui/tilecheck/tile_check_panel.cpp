@@ -70,7 +70,11 @@ TileCheckPanel::TileCheckPanel(TileWatch& watch, FleetLink& fleet, QWidget* pare
 }
 
 QString TileCheckPanel::whatNow() const {
-  if (watch_.progress().tiles == 0) return tr("No tiles are laid: there is nothing to check.");
+  if (watch_.progress().tiles == 0)
+    return tr(
+        "No tiles are laid yet. Lay them with Lay tiles in the tool bar, and register their tags; a drive over them "
+        "then "
+        "checks both.");
   const bool some = watch_.progress().untouched() < watch_.progress().tiles;
   if (!watch_.isRunning() && !some)
     return tr(

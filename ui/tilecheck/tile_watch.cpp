@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "floor/laid_tile.h"
+#include "floor/tile_finder.h"
 #include "ui/canvas/floor_index.h"
 
 namespace tessera::ui {
@@ -88,16 +89,13 @@ std::vector<TileMark> TileWatch::marks() const {
   std::vector<TileMark> marks;
   if (collector_.reads().empty()) return marks;
   const auto& site = checked_->site();
-  std::unordered_map<std::string_view, const floor::TileType*> types;
-  for (const auto& type : site.tileTypes) types.emplace(type.name, &type);
-  std::unordered_map<std::string_view, const floor::TileType*> typeOf;
-  for (const auto& tile : site.tiles)
-    if (const auto type = types.find(tile.type); type != types.end()) typeOf.emplace(tile.serial, type->second);
+  floor::LaidTypes types{site};
   for (std::size_t n = 0; n < result_.states.size(); ++n) {
     const auto state = result_.states[n];
-    const auto type = typeOf.find(site.placements[n].serial);
-    if (state == tilecheck::TileState::Untouched || type == typeOf.end()) continue;
-    const Box box = floor::boxOf(site.placements[n], *type->second);
+    if (state == tilecheck::TileState::Untouched) continue;
+    const floor::TileType* type = types.find(site.placements[n], n);
+    if (type == nullptr) continue;
+    const Box box = floor::boxOf(site.placements[n], *type);
     marks.push_back({{box.low, box.high},
                      state == tilecheck::TileState::Confirmed ? TileMark::Kind::Confirmed
                      : state == tilecheck::TileState::Suspect ? TileMark::Kind::Suspect

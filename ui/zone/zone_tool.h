@@ -28,6 +28,9 @@ public:
   bool mouseReleased(const ToolMouse& mouse, const CanvasScene& scene) override;
   bool mouseDoubleClicked(const ToolMouse& mouse, const CanvasScene& scene) override;
   void paint(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme) override;
+  [[nodiscard]] bool hasHandleAt(QPointF pixel, const CanvasScene& scene) const override {
+    return hitAt(pixel, scene).kind == Hit::Kind::Corner;
+  }
   [[nodiscard]] QCursor cursor() const override;
   [[nodiscard]] QString hint() const override;
 

@@ -128,7 +128,7 @@ void QemuLink::sendAll(const Descriptor& fd, const std::string& text) {
 Result<void> QemuLink::waitFor(const std::function<bool()>& come, const std::string& what) {
   const auto until = std::chrono::steady_clock::now() + kAnswerLimit;
   while (!come()) {
-    if (!pump(Seconds{0.1}) && !come()) return failure("The emulator ended while it was asked for " + what + ".");
+    if (!pump(Seconds{0.1}) && !come()) return failure("The emulator ended by itself.");
     if (std::chrono::steady_clock::now() > until) return failure("The emulator does not answer to " + what + ".");
   }
   return {};

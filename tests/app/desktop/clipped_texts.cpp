@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QStyle>
 #include <QStyleOptionComboBox>
+#include <QTabBar>
 #include <QToolButton>
 
 namespace tessera::desktop {
@@ -51,11 +52,25 @@ QString clippedIn(const QHeaderView& header) {
   return {};
 }
 
+// Tabs that have no room left may wait behind the bar's arrows, each of them whole; the one in front is seen whole.
+QString clippedIn(const QTabBar& bar) {
+  for (int n = 0; n < bar.count(); ++n) {
+    const QRect tab = bar.tabRect(n);
+    const QString text = QString{bar.tabText(n)}.remove('&');
+    const int sign = bar.tabIcon(n).isNull() ? 0 : bar.iconSize().width();
+    if (!bar.isTabVisible(n)) continue;
+    if (bar.fontMetrics().horizontalAdvance(text) + sign > tab.width()) return text;
+    if (n == bar.currentIndex() && !bar.rect().contains(tab)) return text;
+  }
+  return {};
+}
+
 QString clippedIn(const QWidget& widget) {
   if (const auto* label = qobject_cast<const QLabel*>(&widget)) return clippedIn(*label);
   if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) return clippedIn(*button);
   if (const auto* combo = qobject_cast<const QComboBox*>(&widget)) return clippedIn(*combo);
   if (const auto* header = qobject_cast<const QHeaderView*>(&widget)) return clippedIn(*header);
+  if (const auto* tabs = qobject_cast<const QTabBar*>(&widget)) return clippedIn(*tabs);
   return {};
 }
 

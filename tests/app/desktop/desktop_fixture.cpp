@@ -36,6 +36,7 @@ DesktopTest::~DesktopTest() {
 void DesktopTest::openWindow(bool reopen) {
   window = std::make_unique<MainWindow>();
   window->restore();
+  window->resize(1280, 820);  // more than this platform's screen; what a person has
   window->setLanguage(QStringLiteral("en"));
   window->setAppearance(Appearance::Light);
   window->show();

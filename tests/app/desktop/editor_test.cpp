@@ -93,7 +93,7 @@ TEST_F(Editor, marksWhatIsWrongWithTheChosenRouteAndMendsItByTheMarksMenu) {
   EXPECT_TRUE(find<QDockWidget>("faultsDock")->isHidden());
   const ui::FloorMark mark = window->canvas().marked().front();
   EXPECT_TRUE(mark.sentence.contains(QString::fromStdString(route().name))) << mark.sentence.toStdString();
-  const QPoint at = window->canvas().view().toPixel(mark.place.centre()).toPoint();
+  const QPoint at = window->canvas().signOf(mark).toPoint();
   const auto menuAt = [&](QPoint pixel) {
     QTest::mouseClick(&window->canvas(), Qt::RightButton, {}, pixel);
     return window->findChild<QMenu*>("faultMenu");
@@ -117,6 +117,34 @@ TEST_F(Editor, marksWhatIsWrongWithTheChosenRouteAndMendsItByTheMarksMenu) {
   EXPECT_TRUE(until([&] { return !window->canvas().marked().empty(); }));
   trigger("browse");
   EXPECT_TRUE(window->canvas().marked().empty()) << "they go with the tool";
+}
+
+TEST_F(Editor, showsAMarkBesideTheVertexThatItIsOf) {
+  const auto vertex = [this] { return window->document().site().routes.front().vertices[1]; };
+  const Point before = vertex();
+  const double x = before.x.value();
+  const double y = before.y.value();
+  press(Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+  ASSERT_NO_FATAL_FAILURE(dragFloor(x - 0.12, y - 0.12, x + 0.12, y + 0.12));
+  trigger("editRoutes");
+  auto& canvas = window->canvas();
+  const Point first = before + 0.3 * (window->document().site().routes.front().vertices[2] - before);
+  clickFloor(first.x.value(), first.y.value());
+  ASSERT_TRUE(until([&] { return !canvas.marked().empty(); }));
+  const ui::FloorMark mark = canvas.marked().front();
+  const auto middle = [&] { return canvas.view().toPixel(mark.place.centre()); };
+  for (int n = 0; n < 8 && canvas.signOf(mark) == middle(); ++n) canvas.zoomOut();
+  const QPoint sign = canvas.signOf(mark).toPoint();
+  ASSERT_GT((sign - middle().toPoint()).manhattanLength(), 20);
+  QTest::mouseClick(&canvas, Qt::LeftButton, {}, sign);
+  QMenu* menu = window->findChild<QMenu*>("faultMenu");
+  ASSERT_NE(menu, nullptr);
+  EXPECT_TRUE(menu->isVisible());
+  menu->close();
+  ASSERT_TRUE(until([&] { return window->findChild<QMenu*>("faultMenu") == nullptr; }));
+  EXPECT_EQ(vertex(), before);
+  dragFloor(x, y, x + 0.6, y + 0.3);
+  EXPECT_GT(distance(vertex(), before), Metres{0.3}) << "the handle lies free";
 }
 
 TEST_F(Editor, keepsTheRoomAroundVehiclesForThePerson) {

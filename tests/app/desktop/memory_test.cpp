@@ -23,7 +23,7 @@ protected:
 TEST_F(Memory, bringsBackTheSiteThePanelsAndTheLanguage) {
   ASSERT_NO_FATAL_FAILURE(openWindow());
   ASSERT_NO_FATAL_FAILURE(openDemoFloor());
-  window->resize(1111, 777);
+  window->resize(798, 733);
   find<QDockWidget>("routesDock")->close();
   trigger("language_zh_CN");
   trigger("appearance_dark");
@@ -35,7 +35,7 @@ TEST_F(Memory, bringsBackTheSiteThePanelsAndTheLanguage) {
   window->show();
   window->reopen();
   EXPECT_EQ(window->document().path(), path);
-  EXPECT_EQ(window->size(), QSize(1111, 777));
+  EXPECT_EQ(window->size(), QSize(798, 733));
   EXPECT_TRUE(find<QDockWidget>("routesDock")->isHidden());
   EXPECT_FALSE(find<QDockWidget>("runDock")->isHidden());
   EXPECT_TRUE(find<QAction>("language_zh_CN")->isChecked());

@@ -79,8 +79,7 @@ TEST_F(Pictures, showTheStepsAndTheMenuOfAMarkWhole) {
     wear(dress);
     take(*window, QStringLiteral("steps"), dress);
     const ui::FloorMark mark = window->canvas().marked().front();
-    QTest::mouseClick(&window->canvas(), Qt::RightButton, {},
-                      window->canvas().view().toPixel(mark.place.centre()).toPoint());
+    QTest::mouseClick(&window->canvas(), Qt::RightButton, {}, window->canvas().signOf(mark).toPoint());
     auto* menu = window->findChild<QMenu*>("faultMenu");
     ASSERT_NE(menu, nullptr);
     take(*menu, QStringLiteral("mark-menu"), dress);

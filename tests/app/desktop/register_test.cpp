@@ -1,58 +1,11 @@
 // Two tiles are registered with a reader at a port, by a person who errs, is interrupted and loses the reader.
-#include <QComboBox>
-#include <QDockWidget>
-#include <QLabel>
-#include <QPushButton>
+#include <QAction>
 
-#include "app/desktop/desktop_fixture.h"
+#include "app/desktop/registering.h"
 #include "app/tessera/keeper.h"
-#include "app/tessera/register_desk.h"
-#include "app/tessera/site_files.h"
-#include "floor/new_floor.h"
-#include "floor/site_json.h"
-#include "sim/pty/pty.h"
 
 namespace tessera::desktop {
 namespace {
-
-using Contact = ui::Registrar::Contact;
-
-class Registering : public DesktopTest {
-protected:
-  void SetUp() override {
-    const auto site = floor::layNewFloor({"hall", floor::usualTileTypes().front(), 2, 1, false}).value();
-    ASSERT_TRUE(floor::saveSite(site, path().toStdString()));
-    plugIn();
-    openWindow(false);
-    ASSERT_TRUE(window->files().open(path()));
-  }
-  [[nodiscard]] QString path() const { return home.filePath("hall.tessera.json"); }
-  [[nodiscard]] std::string port() const { return home.filePath("reader").toStdString(); }
-  void plugIn() { reader.emplace(sim::Pty::open(port()).value()); }
-  void say(const std::string& line) {
-    const std::string text = line + "\r\n";
-    reader->write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-  }
-  [[nodiscard]] ui::Registrar& registrar() const { return window->registerDesk().registrar(); }
-  [[nodiscard]] std::size_t registered() const { return registrar().registration()->progress().registered; }
-  void scan(const std::string& uid) {
-    const std::size_t before = registered();
-    say(uid);
-    EXPECT_TRUE(until([&] { return registered() == before + 1; })) << uid;
-  }
-  void start() {
-    trigger("registerTags");
-    EXPECT_TRUE(find<QDockWidget>("registerDock")->isVisible());
-    find<QComboBox>("scanReader")->setCurrentIndex(1);
-    find<QComboBox>("scanPort")->setEditText(QString::fromStdString(port()));
-    QTest::mouseClick(find("startScan"), Qt::LeftButton);
-    ASSERT_TRUE(until([&] { return registrar().contact() == Contact::Open; }));
-  }
-  void pressOnFloor(Qt::Key key) const { QTest::keyClick(&window->canvas(), key); }
-  [[nodiscard]] QString said(const char* label) const { return find<QLabel>(label)->text(); }
-
-  std::optional<sim::Pty> reader;
-};
 
 TEST_F(Registering, goesOverTwoTilesWithADuplicateASkipAndAStepBack) {
   ASSERT_NO_FATAL_FAILURE(start());
@@ -60,7 +13,8 @@ TEST_F(Registering, goesOverTwoTilesWithADuplicateASkipAndAStepBack) {
   say("04000003");  // the card still lies there
   say("04000001");
   ASSERT_TRUE(until([&] { return find("scanWhere")->isVisible(); }));
-  EXPECT_EQ(said("scanNotice"), "Tag 04000001 is registered already, as tag 1 of tile \"T-0001\".");
+  EXPECT_EQ(said("scanNotice"),
+            "Tag 04000001 is registered already, as tag 1 of this tile. Move it here, or read the whole tile anew?");
   QTest::mouseClick(find("scanWhere"), Qt::LeftButton);
   EXPECT_EQ(registered(), 3U);
 
@@ -120,24 +74,29 @@ TEST_F(Registering, goesOnAtTheSameTagAfterTheProgramDied) {
   pressOnFloor(Qt::Key_Delete);
   scan("04000002");
   const auto place = registrar().place();
-  const auto site = window->document().site();
-  ASSERT_TRUE(until([&] {
-    const auto kept = window->keeper().unsaved(path());
-    return kept != nullptr && kept->site() == site;
-  }));
-  killWindow();
-
-  answerQuestion("recoverQuestion", "Take them up");
-  ASSERT_NO_FATAL_FAILURE(openWindow());
-  ASSERT_EQ(window->document().site(), site);
-  trigger("registerTags");
-  auto* goOn = find<QPushButton>("goOnScanning");
-  ASSERT_TRUE(until([&] { return goOn->isVisible() && goOn->isEnabled(); }));
-  QTest::mouseClick(goOn, Qt::LeftButton);
+  ASSERT_NO_FATAL_FAILURE(dieAndGoOn());
   EXPECT_EQ(registrar().place(), place);
   EXPECT_EQ(registrar().registration()->progress().skipped, 1U);
   ASSERT_TRUE(until([&] { return registrar().contact() == Contact::Open; })) << "the reader is remembered as well";
   scan("04000003");
+}
+
+TEST_F(Registering, readsATileInAnotherOrderOverTheProgramsDeath) {
+  ASSERT_NO_FATAL_FAILURE(start());
+  for (const char* uid : {"04000001", "04000002", "04000003"}) scan(uid);
+  say("04000002");
+  ASSERT_TRUE(until([&] { return find("scanAnew")->isVisible(); }));
+  QTest::mouseClick(find("scanAnew"), Qt::LeftButton);
+  EXPECT_EQ(registered(), 0U);
+  for (const char* uid : {"04000003", "04000001"}) scan(uid);
+  say("04000003");
+  ASSERT_TRUE(until([&] { return find("scanExchange")->isVisible(); }));
+  QTest::mouseClick(find("scanExchange"), Qt::LeftButton);
+  const auto place = registrar().place();
+  ASSERT_NO_FATAL_FAILURE(dieAndGoOn());
+  ASSERT_TRUE(until([&] { return registrar().contact() == Contact::Open; }));
+  EXPECT_EQ(registrar().place(), place);
+  scan("04000002");
 }
 
 TEST_F(Registering, goesOnWhereItWasAfterTheSiteGotAnotherName) {

@@ -106,6 +106,27 @@ TEST_F(SavedSites, keepTheirRevisionsOverAnotherStart) {
   EXPECT_TRUE(window->canvas().changes().signs.at(0).place.empty()) << "a name lies nowhere on the floor";
 }
 
+TEST_F(SavedSites, takeTheirRevisionsAlongToAnotherNameAndPlace) {
+  ASSERT_NO_FATAL_FAILURE(openDemoFloor());
+  const QString old = window->document().path();
+  drawRoute({{0.3, 0.3}, {0.3, 1.5}});
+  ASSERT_NO_FATAL_FAILURE(saveAndWait());
+  drawRoute({{0.6, 0.3}, {0.6, 1.5}});
+  const QString other = home.filePath("other.tessera.json");
+  nameTheFile(other);
+  ASSERT_TRUE(window->files().saveAs());
+  ASSERT_TRUE(until([&] { return table().model()->rowCount() == 3; })) << "with what was before the new name";
+  ASSERT_TRUE(window->files().open(old));
+  EXPECT_TRUE(until([&] { return table().model()->rowCount() == 2; })) << "the old file has its own";
+
+  const QString moved = home.filePath("moved.tessera.json");
+  ASSERT_TRUE(QFile::rename(other, moved));
+  ASSERT_TRUE(window->files().open(moved));
+  EXPECT_TRUE(until([&] { return table().model()->rowCount() == 3; })) << "moved beside the program";
+  choose(2);
+  EXPECT_TRUE(until([&] { return differences().count() == 2; })) << head().toStdString();
+}
+
 TEST_F(SavedSites, giveARevisionAsAFileOfItsOwn) {
   ASSERT_NO_FATAL_FAILURE(openDemoFloor());
   const floor::Site first = window->document().site();

@@ -79,6 +79,9 @@ public:
   [[nodiscard]] bool wantsShortcut(const QKeyEvent&) const override { return false; }
   void paint(QPainter&, const CanvasScene&, const CanvasTheme&) override {}
   [[nodiscard]] std::span<const FloorMark> marks() const override { return own; }
+  [[nodiscard]] bool hasHandleAt(QPointF pixel, const CanvasScene&) const override {
+    return handle && (*handle - pixel).manhattanLength() <= 10.0;
+  }
   [[nodiscard]] bool isBusy() const override { return busy; }
   [[nodiscard]] QCursor cursor() const override { return Qt::ArrowCursor; }
   [[nodiscard]] QString hint() const override { return {}; }
@@ -86,7 +89,43 @@ public:
   int presses = 0;
   bool busy = false;
   std::vector<FloorMark> own;
+  std::optional<QPointF> handle;
 };
+
+TEST_F(MarksUnderTest, StandBesideAHandleWhichStaysInReach) {
+  FinickyTool tool;
+  canvas.setTool(&tool);
+  const FloorMark mark{boxAt(6.0, 4.5, 0.0, 0.0), true, "too tight", 3};
+  const QImage without = picture();
+  canvas.setMarks({mark}, {});
+  const QPoint at = pixel(mark.place);
+  EXPECT_EQ(canvas.signOf(mark).toPoint(), at);
+  tool.handle = canvas.view().toPixel(mark.place.centre());
+  const QPoint sign = canvas.signOf(mark).toPoint();
+  EXPECT_GT((sign - at).manhattanLength(), 20);
+  Q_EMIT tool.changed();
+  const QImage with = picture();
+  EXPECT_NE(with.pixelColor(sign + QPoint{-5, 0}), without.pixelColor(sign + QPoint{-5, 0}));
+  EXPECT_EQ(with.pixelColor(at), without.pixelColor(at)) << "what is grabbed is to be seen";
+  QSignalSpy asked{&canvas, &FloorCanvas::markMenuRequested};
+  QTest::mouseClick(&canvas, Qt::LeftButton, {}, at);
+  QTest::mouseClick(&canvas, Qt::RightButton, {}, at);
+  EXPECT_EQ(tool.presses, 2);
+  EXPECT_EQ(asked.count(), 0);
+  QTest::mouseClick(&canvas, Qt::LeftButton, {}, sign);
+  QTest::mouseClick(&canvas, Qt::RightButton, {}, sign);
+  EXPECT_EQ(tool.presses, 2);
+  ASSERT_EQ(asked.count(), 2);
+  EXPECT_EQ(asked[0][0].toInt(), 3);
+  // At the window's edges as well.
+  for (const QPoint corner : {QPoint{1, 1}, QPoint{799, 1}, QPoint{1, 599}, QPoint{799, 599}}) {
+    const Point place = canvas.view().toSite(corner);
+    const FloorMark far{{place, place}, true, "far"};
+    tool.handle = canvas.view().toPixel(place);
+    EXPECT_TRUE(canvas.rect().contains(canvas.signOf(far).toPoint())) << corner.x() << ", " << corner.y();
+  }
+  canvas.setTool(nullptr);
+}
 
 TEST_F(MarksUnderTest, HaveAMenuUnlessAToolIsInTheMiddleOfSomething) {
   FinickyTool tool;

@@ -1,5 +1,5 @@
 // One question after the other.
-#include "ui/commission/ask_series.h"
+#include "ui/base/ask_series.h"
 
 #include <gtest/gtest.h>
 

@@ -141,7 +141,7 @@ TEST_F(Picture, ofAnEmptySiteIsASheetAsWell) {
 }
 
 TEST_F(Picture, isShownWithItsSizeBeforeItIsSaved) {
-  MapPictureDialog dialog{map};
+  MapPictureDialog dialog{map, true};
   dialog.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
   auto* scale = dialog.findChild<QComboBox*>("pictureScale");

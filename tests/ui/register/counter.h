@@ -23,7 +23,7 @@ public:
   }
   void close() override { ++closes; }
   void send(const QByteArray& bytes) override { sent << bytes; }
-  void say(const char* text) { Q_EMIT received(QByteArray{text}); }
+  void say(const QByteArray& text) { Q_EMIT received(text); }
 
   QStringList opens;
   QList<QByteArray> sent;

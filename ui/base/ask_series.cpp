@@ -1,4 +1,4 @@
-#include "ui/commission/ask_series.h"
+#include "ui/base/ask_series.h"
 
 #include <chrono>
 #include <utility>
