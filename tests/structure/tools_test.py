@@ -9,28 +9,49 @@ from pathlib import Path
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE))
 sys.dont_write_bytecode = True
-import count_junit  # noqa: E402
 import tidy  # noqa: E402
 
 
 class CountJunit(unittest.TestCase):
-    def run_on(self, text):
+    CASES = {
+        "good": '<testcase name="good" status="run"><system-out/></testcase>',
+        "bad": '<testcase name="bad" status="fail"><failure message=""/><system-out>why\n</system-out></testcase>',
+        "gone": '<testcase name="gone" status="notrun"><skipped message="Unable to find executable"/></testcase>',
+        "left": '<testcase name="left" status="notrun"><skipped message="SKIP_RETURN_CODE=77"/></testcase>',
+        "off": '<testcase name="off" status="disabled"><disabled message=""/></testcase>',
+    }
+
+    def run_on(self, names, *options):
         with tempfile.NamedTemporaryFile("w", suffix=".xml") as file:
-            file.write(text)
+            file.write("<testsuite>" + "".join(self.CASES[name] for name in names.split()) + "</testsuite>")
             file.flush()
-            return subprocess.run([sys.executable, str(HERE / "count_junit.py"), file.name], capture_output=True, text=True)
+            tool = [sys.executable, str(HERE / "count_junit.py"), file.name, *options]
+            return subprocess.run(tool, capture_output=True, text=True)
 
     def test_counts_passed_failed_and_skipped(self):
-        done = self.run_on('<testsuite tests="10" failures="2" disabled="1" skipped="3"/>')
-        self.assertEqual((done.returncode, done.stdout), (0, "4 2 4\n"))
+        done = self.run_on("good bad good left off good")
+        self.assertEqual((done.returncode, done.stdout), (0, "3 1 2\n"))
+
+    def test_a_test_whose_program_is_missing_has_failed(self):
+        self.assertEqual(self.run_on("good gone").stdout, "1 1 0\n")
 
     def test_a_run_without_tests_is_an_error(self):
-        for text in ('<testsuite tests="0" failures="0"/>', "", "<testsuite/>", '<testsuite tests="1" failures="0" skipped="1"/>'):
-            self.assertNotEqual(self.run_on(text).returncode, 0, text)
+        for names in ("", "left"):
+            self.assertNotEqual(self.run_on(names).returncode, 0, names)
 
-    def test_a_missing_file_is_an_error(self):
-        with self.assertRaises(OSError):
-            count_junit.counts("/nonexistent.xml")
+    def test_a_file_that_is_missing_or_no_junit_is_an_error(self):
+        for path in ("/nonexistent.xml", str(HERE / "tools_test.py")):
+            tool = [sys.executable, str(HERE / "count_junit.py"), path]
+            self.assertNotEqual(subprocess.run(tool, capture_output=True).returncode, 0, path)
+
+    def test_failures_are_told_with_what_they_printed(self):
+        done = self.run_on("good bad gone", "--failures")
+        self.assertIn("bad failed; the end of what it printed:\n      why\n", done.stdout)
+        self.assertIn("gone failed", done.stdout)
+
+    def test_names_are_those_of_the_failed(self):
+        self.assertEqual(self.run_on("good bad left gone", "--names").stdout, "bad\ngone\n")
+        self.assertEqual(self.run_on("good", "--names").stdout, "")
 
 
 class ChooseForTidy(unittest.TestCase):
