@@ -1,6 +1,7 @@
 #include "calibrate/compass_fit.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -11,6 +12,7 @@ namespace tessera::calibrate {
 namespace {
 
 constexpr std::size_t kFewestPoints = 6;
+constexpr double kRoundOff = 1e-13;  // of points near one
 constexpr double kLeastSpread = 1e-3;  // µT; far below the chip's step
 // The vehicle's own limits (firmware/vehicle/compass_calibration.cpp): what is written here it would take as well.
 constexpr double kWorstMisfit = 0.05;  // 3 degrees
@@ -55,21 +57,21 @@ std::optional<Conic> fitConic(std::span<const FieldPoint> points, const Frame& f
     s2 += square * line.transpose();
     s3 += line * line.transpose();
   }
-  const Eigen::FullPivLU<Eigen::Matrix3d> inverse{s3};
-  if (inverse.rcond() < 1e-9) return std::nullopt;  // on a line
-  const Eigen::Matrix3d eliminated = -inverse.solve(Eigen::Matrix3d{s2.transpose()});
-  const Eigen::Matrix3d m = s1 + s2 * eliminated;
-  Eigen::Matrix3d reduced;  // by the inverse of the constraint 4 A C - B² = 1
-  reduced << m.row(2) / 2.0, -m.row(1), m.row(0) / 2.0;
-  const Eigen::EigenSolver<Eigen::Matrix3d> solver{reduced};
-  for (int i = 0; i < 3; ++i) {
-    const Eigen::Vector3d a = solver.eigenvectors().col(i).real();
-    if (!(4.0 * a[0] * a[2] - a[1] * a[1] > 1e-12)) continue;
-    Conic conic;
-    conic << a, eliminated * a;
-    return conic;
-  }
-  return std::nullopt;
+  const Eigen::LLT<Eigen::Matrix3d> line{s3};
+  if (line.info() != Eigen::Success || line.rcond() < 1e-9) return std::nullopt;  // on a line
+  const Eigen::Matrix3d eliminated = -line.solve(s2.transpose());
+  Eigen::Matrix3d m = s1 + s2 * eliminated;
+  m.diagonal().array() += kRoundOff * s1.trace();  // points on the very ellipse leave it without an inverse
+  Eigen::Matrix3d constraint;                      // 4 A C - B² = 1
+  constraint << 0.0, 0.0, 2.0, 0.0, -1.0, 0.0, 2.0, 0.0, 0.0;
+  // Of the pencil's three eigenvalues, as of the constraint's own, one is positive: the last, and the ellipse is its
+  // vector.
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d> solver{constraint, m};
+  if (solver.info() != Eigen::Success) return std::nullopt;
+  const Eigen::Vector3d a = solver.eigenvectors().col(2);
+  Conic conic;
+  conic << a, eliminated * a;
+  return conic;
 }
 
 }  // namespace
@@ -104,7 +106,8 @@ std::optional<FieldEllipse> fitEllipse(std::span<const FieldPoint> points) {
   const Eigen::Vector2d centre = -0.5 * shape.inverse() * linear;
   const double level = -((*conic)[5] + 0.5 * linear.dot(centre));
   // Its eigenvalues are the half axes' inverse squares, the smallest, of the long axis, first.
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes{shape / level};
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
+  axes.computeDirect(shape / level);
   if (!(axes.eigenvalues()[0] > 0.0)) return std::nullopt;
   FieldEllipse ellipse;
   ellipse.centre = {frame.x + frame.scale * centre.x(), frame.y + frame.scale * centre.y()};
