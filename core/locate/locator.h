@@ -64,6 +64,9 @@ public:
   /// Forgets everything but the counters. With a pose: the vehicle was placed there (to about 5 cm); without: nobody
   /// knows.
   virtual void reset(std::optional<Pose> pose) = 0;
+  /// Tags lie from now on where this map has them, in the same frame and to the same north. What is known stays: what
+  /// was moved under the vehicle contradicts it, as a wrong map would. Never null.
+  virtual void useMap(std::shared_ptr<const floor::SiteMap> map) = 0;
   /// Places that are thought possible, `most` of them at most, as often as they are likely: for a picture, at the
   /// instant lastMotion(). Empty: this locator holds no such guesses.
   [[nodiscard]] virtual std::vector<Point> guesses(std::size_t most) const {

@@ -32,6 +32,10 @@ public:
   [[nodiscard]] Estimate at(Seconds now) const override;
   [[nodiscard]] Seconds lastMotion() const override { return odometry_.last(); }
   void reset(std::optional<Pose> pose) override;
+  void useMap(std::shared_ptr<const floor::SiteMap> map) override {
+    intake_.useMap(map);
+    map_ = std::move(map);
+  }
   [[nodiscard]] const LocatorCounters& counters() const override { return intake_.counters; }
   [[nodiscard]] std::string_view name() const override { return kName; }
   [[nodiscard]] std::vector<Point> guesses(std::size_t most) const override;

@@ -21,6 +21,7 @@ public:
   [[nodiscard]] Estimate at(Seconds now) const override;
   [[nodiscard]] Seconds lastMotion() const override { return odometry_.last(); }
   void reset(std::optional<Pose> pose) override;
+  void useMap(std::shared_ptr<const floor::SiteMap> map) override { intake_.useMap(std::move(map)); }
   [[nodiscard]] const LocatorCounters& counters() const override { return intake_.counters; }
   [[nodiscard]] std::string_view name() const override { return kName; }
 

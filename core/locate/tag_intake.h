@@ -16,6 +16,7 @@ class TagIntake {
 public:
   TagIntake(std::shared_ptr<const floor::SiteMap> map, std::size_t readers) : map_{std::move(map)}, readers_{readers} {}
 
+  void useMap(std::shared_ptr<const floor::SiteMap> map) { map_ = std::move(map); }
   [[nodiscard]] bool valid(int reader, Seconds at) {
     if (reader >= 0 && static_cast<std::size_t>(reader) < readers_ && std::isfinite(at.value())) return true;
     ++counters.invalid;

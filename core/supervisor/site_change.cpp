@@ -17,12 +17,4 @@ bool sameFleet(const floor::RadioSetup& radio, const std::vector<floor::VehicleS
   });
 }
 
-bool sameFloor(const floor::SiteMap& before, const floor::SiteMap& after) {
-  if (&before == &after) return true;
-  return before.site().northToY == after.site().northToY &&
-         std::equal(
-             before.tags().begin(), before.tags().end(), after.tags().begin(), after.tags().end(),
-             [](const floor::PlacedTag& a, const floor::PlacedTag& b) { return a.uid == b.uid && a.place == b.place; });
-}
-
 }  // namespace tessera::supervisor

@@ -10,7 +10,4 @@ namespace tessera::supervisor {
 [[nodiscard]] bool sameFleet(const floor::RadioSetup& radio, const std::vector<floor::VehicleSetup>& vehicles,
                              const floor::Site& after);
 
-/// Whether tags lie where they lay, and north is where it was, so that locators need not begin anew.
-[[nodiscard]] bool sameFloor(const floor::SiteMap& before, const floor::SiteMap& after);
-
 }  // namespace tessera::supervisor

@@ -112,12 +112,12 @@ bool VehicleAgent::letGo(EventLog& log) {
 }
 
 void VehicleAgent::use(std::shared_ptr<const floor::SiteMap> map) {
-  const bool same = sameFloor(*map_, *map);
+  const bool sameNorth = map_->site().northToY == map->site().northToY;
   map_ = std::move(map);
   setup_ = *map_->vehicle(id());
   takeName();
-  if (same) return;
-  unknownTags_.clear();
+  std::erase_if(unknownTags_, [&](const floor::TagUid& uid) { return map_->find(uid).has_value(); });
+  if (sameNorth) return locator_->useMap(map_);
   auto made = locate::makeLocator(locatorName_, map_, setup_);
   if (!made) return;  // it was made of the same words and the same vehicle before
   locator_ = std::move(*made);

@@ -37,6 +37,7 @@ public:
     return record.motions().empty() ? Seconds{} : record.motions().back().at;
   }
   void reset(std::optional<Pose>) override {}
+  void useMap(std::shared_ptr<const floor::SiteMap>) override {}
   [[nodiscard]] const locate::LocatorCounters& counters() const override { return counters_; }
   [[nodiscard]] std::string_view name() const override { return "recorder"; }
 

@@ -80,6 +80,7 @@ TEST(Particles, learnFromSilence) {
     [[nodiscard]] locate::Estimate at(Seconds now) const override { return inner_->at(now); }
     [[nodiscard]] Seconds lastMotion() const override { return inner_->lastMotion(); }
     void reset(std::optional<Pose> pose) override { inner_->reset(pose); }
+    void useMap(std::shared_ptr<const floor::SiteMap> map) override { inner_->useMap(std::move(map)); }
     [[nodiscard]] const locate::LocatorCounters& counters() const override { return inner_->counters(); }
     [[nodiscard]] std::string_view name() const override { return "deaf"; }
 

@@ -55,6 +55,23 @@ TEST_F(SiteChange, tagsThatLieElsewhereAreUsedFromWhereTheVehicleIs) {
   EXPECT_TRUE(rig.told(EventKind::Lost).empty());
 }
 
+TEST_F(SiteChange, tagsAreRegisteredOneAfterAnotherAndAVehicleThatDrivesMeanwhileKeepsWhatItHasLearned) {
+  rig.runRoute(1, "paper", 0.15);
+  ASSERT_TRUE(rig.runUntil([&] { return rig.view(1).reads > 10; }, Seconds{30}));
+  floor::LooseTag tag{floor::TagUid::parse("04A1B2C3D4E5F6").value(), {Metres{5.0}, Metres{5.0}}};
+  Metres worst;
+  for (int i = 0; !rig.view(1).finished && i < 600; ++i) {
+    use([&](floor::Site& s) {
+      if (i % 2 == 0) s.looseTags.push_back(tag);
+    });
+    rig.run(Seconds{0.1});
+    worst = std::max(worst, distance(rig.view(1).pose.position, rig.vehicle(1).pose.position));
+  }
+  EXPECT_TRUE(rig.view(1).finished) << rig.view(1).doing;
+  EXPECT_TRUE(rig.told(EventKind::Lost).empty());
+  EXPECT_LT(worst.value(), 0.05);
+}
+
 TEST_F(SiteChange, aTagThatTheSiteGetsIsKnownFromThenOn) {
   floor::LooseTag tag{floor::TagUid::parse("04A1B2C3D4E5F6").value(), {}};
   wire::TagEvent seen;

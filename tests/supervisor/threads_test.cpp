@@ -119,7 +119,7 @@ public:
     while (!condition()) {
       look();
       if (steadyNow() > end) {
-        ADD_FAILURE() << "not within " << seconds << " s: " << what;
+        ADD_FAILURE() << "not within " << seconds << " s: " << what << told();
         return false;
       }
       std::this_thread::sleep_for(2ms);
@@ -131,6 +131,13 @@ public:
   [[nodiscard]] double speed() const { return view() == nullptr ? 0.0 : view()->speed.value(); }
   [[nodiscard]] bool told(EventKind kind) const {
     return std::any_of(events.begin(), events.end(), [&](const Event& e) { return e.kind == kind; });
+  }
+  /// What a window would show of it.
+  [[nodiscard]] std::string told() const {
+    std::string all;
+    if (view() != nullptr) all += "\n" + view()->doing.english() + " " + view()->waits.english();
+    for (const Event& event : events) all += "\n" + event.sentence.english();
+    return all;
   }
 
   std::vector<Event> events;

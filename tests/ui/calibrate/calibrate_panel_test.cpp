@@ -44,6 +44,7 @@ public:
   [[nodiscard]] locate::Estimate at(Seconds) const override { return {}; }
   [[nodiscard]] Seconds lastMotion() const override { return {}; }
   void reset(std::optional<Pose>) override {}
+  void useMap(std::shared_ptr<const floor::SiteMap>) override {}
   [[nodiscard]] const locate::LocatorCounters& counters() const override { return counters_; }
   [[nodiscard]] std::string_view name() const override { return "feeder"; }
 
