@@ -1,6 +1,7 @@
 # What every target of the project shares: standard, warnings, output folders, and one function per kind of target.
 include(CTest)
 include(GoogleTest)
+include(Precompiled)
 
 option(TESSERA_BENCHMARKS "Build the benchmarks" ON)
 option(TESSERA_WITH_QT "Build what needs Qt: serial port, charts, command line" ON)
@@ -11,6 +12,8 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 # With CMAKE_UNITY_BUILD, which every target takes up, the files of a target are compiled in one go (docs/decisions/0011-build-time.md).
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 0 CACHE STRING "Files of a target that are compiled in one go, 0: all")
+# What looks for bytes that are taken for something wider and lie askew, for the folders that do so (the preset asan sets it).
+set(TESSERA_ALIGNMENT "" CACHE STRING "Options of the folders that cast bytes to something wider")
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 
 if(NOT CMAKE_BUILD_TYPE)
@@ -96,12 +99,15 @@ function(tessera_test NAME)
     add_dependencies(threaded_tests ${NAME})
   endif()
   # An emulator needs the machine for itself: kept waiting, it sees wheels that do not turn. Other programs in real time
-  # wait most of the time and need one processor when they do not: one of them at a time, beside what is quick.
+  # wait most of the time: one without a window and one with a window may run at a time. They take longest, so they come
+  # first, and what is quick fills in.
   set(company RUN_SERIAL OFF)
   if("qemu" IN_LIST ARG_LABELS)
     set(company RUN_SERIAL ON)
+  elseif("window" IN_LIST ARG_LABELS AND "system" IN_LIST ARG_LABELS)
+    set(company RESOURCE_LOCK window_in_real_time COST 50)
   elseif("system" IN_LIST ARG_LABELS)
-    set(company RESOURCE_LOCK real_time)
+    set(company RESOURCE_LOCK real_time COST 50)
   endif()
   # Discovery hands the properties through several lists; so many backslashes bring a semicolon through all of them.
   # With fewer the second label would be taken for the next property's name, and what follows be lost with it.

@@ -25,6 +25,9 @@ CLOCK = re.compile(r"#\s*include\s*<(thread|mutex|shared_mutex|condition_variabl
 HEAP = re.compile(r"#\s*include\s*<(string|vector|map|set|deque|list|memory|functional|iostream|sstream)>|"
                   r"\bstd::(vector|string|function|map|deque|list|make_unique|make_shared)\b|\bthrow\b|"
                   r"\b(malloc|calloc|realloc)\s*\(|=\s*new\b|\breturn\s+new\b")
+# Bytes taken for something wider may lie askew: only where UBSan looks for it (TESSERA_ALIGNMENT of the preset asan).
+ALIGNMENT = re.compile(r"core/wire/|firmware/|ui/canvas/")
+WIDER = re.compile(r"\breinterpret_cast<(?!(const )?(unsigned |std::)?(char|uint8_t|byte|sockaddr)\s*\*)")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
 LIBRARY = re.compile(r"\btessera_library\(([^)]*)\)")
 LINKING = re.compile(r"\btarget_link_libraries\(([^)]*)\)")
@@ -204,6 +207,8 @@ class Tree:
             rules.append((CLOCK, "a clock, sleep, thread or port in the logic"))
         if NO_HEAP.match(name):
             rules.append((HEAP, "heap or exceptions in code that the firmware compiles"))
+        if not ALIGNMENT.match(name):
+            rules.append((WIDER, "a cast to more than bytes where nothing looks for alignment"))
         for pattern, what in rules:
             for match in pattern.finditer(text):
                 self.complain(path, f"{what}: {match[0].strip()}", text.count("\n", 0, match.start()) + 1)

@@ -108,6 +108,12 @@ class CheckTree(unittest.TestCase):
         for line in ("#include <vector>", "std::string s;", "throw 1;", "auto* p = new int;"):
             self.assert_found("core/wire/frame.cpp", line + "\n", "heap or exceptions")
 
+    def test_a_cast_that_may_lie_askew_is_found(self):
+        cast = "auto* p = reinterpret_cast<const std::uint32_t*>(bytes);\n"
+        self.assert_found("core/drive/route.cpp", cast, "alignment")
+        for fine in ({"core/wire/frame.cpp": cast}, {"core/drive/route.cpp": cast.replace("uint32_t", "uint8_t")}):
+            self.assertEqual(self.problems(files=fine), [])
+
     def test_a_long_file_is_found(self):
         self.assert_found("core/wire/frame.cpp", "//\n" * 301, "301 lines")
         self.assert_found("dev", "#\n" * 301, "301 lines")

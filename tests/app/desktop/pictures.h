@@ -37,7 +37,8 @@ protected:
     const QString folder = qEnvironmentVariable("TESSERA_PICTURES");
     if (folder.isEmpty()) return;
     ASSERT_TRUE(QDir{}.mkpath(folder));
-    EXPECT_TRUE(picture.save(QDir{folder}.filePath(view + '-' + dress.name + QStringLiteral(".png"))));
+    constexpr int kLittlePacked = 85;  // four hundred of them: a third larger, in a quarter of the time
+    EXPECT_TRUE(picture.save(QDir{folder}.filePath(view + '-' + dress.name + QStringLiteral(".png")), "PNG", kLittlePacked));
   }
   static int coloursIn(const QImage& image) {
     QSet<QRgb> seen;
