@@ -31,6 +31,7 @@ done
 lacking=()
 command -v cmake >/dev/null || lacking+=(cmake)
 command -v dpkg-shlibdeps >/dev/null || lacking+=(dpkg-dev)
+command -v arm-none-eabi-g++ >/dev/null || lacking+=(gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib)
 command -v patchelf >/dev/null || lacking+=(patchelf)
 command -v xz >/dev/null || lacking+=(xz-utils)
 [ ${#lacking[@]} -eq 0 ] || { echo "installer/build.sh: please install: ${lacking[*]}" >&2; exit 3; }
@@ -43,9 +44,9 @@ mkdir -p "$packages"
 # Without the dependency cpack would first build everything; what is packed is built below.
 [ -f "$build/CMakeCache.txt" ] ||
   cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DBUILD_TESTING=OFF \
-    -DTESSERA_ARM_FIRMWARE=OFF -DCMAKE_SKIP_INSTALL_ALL_DEPENDENCY=ON
+    -DTESSERA_ARM_FIRMWARE=ON -DCMAKE_SKIP_INSTALL_ALL_DEPENDENCY=ON
 nice cmake --build "$build" -j "${TESSERA_JOBS:-$(nproc)}" \
-  --target tessera tessera-cli tessera-world tessera_installed_files
+  --target tessera tessera-cli tessera-world tessera_arm_firmware tessera_installed_files
 
 for kind in "${kinds[@]}"; do
   case $kind in

@@ -4852,6 +4852,14 @@ Can be mended: %2.</source>
         <source>No vehicle at hand? Connect to the demo world: it simulates every vehicle of the site with the same firmware, this one too, and needs no flashing.</source>
         <translation>手边没有车辆？请连接演示环境：它使用相同的固件模拟场地中的所有车辆，包括这一辆，无需烧录。</translation>
     </message>
+    <message>
+        <source>Connect the board&apos;s debug port to this computer by USB, lift the vehicle&apos;s wheels off the floor, and write the firmware that came with this program by one of these commands:</source>
+        <translation>用 USB 将电路板的调试接口连接到本机，将车辆抬起使车轮离地，然后用以下任一命令写入随本程序提供的固件：</translation>
+    </message>
+    <message>
+        <source>With lm&amp;4flash (boards whose debugger is a Stellaris ICDI):</source>
+        <translation>使用 lm4flash(&amp;4)（适用于调试器为 Stellaris ICDI 的电路板）：</translation>
+    </message>
 </context>
 <context>
     <name>tessera::ui::FloorCanvas</name>

@@ -29,7 +29,7 @@ echo "installed in $((SECONDS - start)) s: $(inside "$installed" dpkg-query -W |
 
 for file in usr/share/applications/tessera.desktop usr/share/mime/packages/tessera.xml \
   usr/share/icons/hicolor/48x48/apps/tessera.png usr/share/man/man1/tessera.1.gz \
-  usr/lib/udev/rules.d/70-tessera-serial.rules usr/share/tessera/sites/paper.tessera.json; do
+  usr/lib/udev/rules.d/70-tessera-serial.rules usr/share/tessera/sites/paper.tessera.json usr/share/tessera/firmware/tessera-vehicle.bin; do
   [ -s "$installed/$file" ] || { echo "$file is missing" >&2; exit 1; }
 done
 inside "$installed" tessera --version

@@ -21,5 +21,6 @@ tar -C "$place" -xf "$archive"
 folder=$(basename "$archive" .tar.xz)
 inside "$system" "/opt/some place/$folder/bin/tessera" --version
 inside "$system" "/opt/some place/$folder/bin/tessera-cli" site check "/opt/some place/$folder/share/tessera/sites/paper.tessera.json"
+[ -s "$place/$folder/share/tessera/firmware/tessera-vehicle.bin" ] || { echo "the vehicle's firmware is missing" >&2; exit 1; }
 drives_the_demo "$system" "/opt/some place/$folder/bin/tessera"
 rm -rf "$place"

@@ -10,10 +10,15 @@
 
 namespace tessera::ui {
 
+/// The firmware's plain image that came with a program which lies in this folder; empty where none did.
+[[nodiscard]] QString firmwareImage(const QString& programFolder);
+
 class FlashPage : public StepPage {
   Q_OBJECT
 public:
   explicit FlashPage(Commissioning& work, QWidget* parent = nullptr);
+  /// The commands write this image, such as came with the program; empty: what is built from the sources.
+  void useImage(const QString& file);
 
 protected:
   void retranslate() override;
@@ -24,6 +29,7 @@ private:
     QLineEdit line;
     QPushButton copy;
   };
+  QString image_;
   QLabel intro_;
   std::array<Command, 3> commands_;
   QLabel demo_;

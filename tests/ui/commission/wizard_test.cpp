@@ -8,11 +8,13 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTableWidget>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "tests/ui/commission/fake_link.h"
 #include "tests/ui/commission/wizard_hands.h"
 #include "ui/commission/commission_wizard.h"
+#include "ui/commission/flash_page.h"
 #include "ui/commission/vehicle_draft.h"
 
 namespace tessera::ui {
@@ -214,6 +216,30 @@ TEST_F(WizardTest, AStepThatIsNeitherDoneNorSkippedHoldsTheWizard) {
   EXPECT_FALSE(hands.button(QWizard::NextButton).isEnabled());
   hands.click("flashDone");
   EXPECT_TRUE(hands.button(QWizard::NextButton).isEnabled());
+}
+
+TEST_F(WizardTest, TheFirmwareThatCameWithTheProgramIsWrittenFromWhereItLies) {
+  QTemporaryDir installed;
+  const QDir root{installed.path()};
+  ASSERT_TRUE(root.mkpath("a place/bin") && root.mkpath("a place/share/tessera/firmware"));
+  EXPECT_EQ(firmwareImage(root.filePath("a place/bin")), QString{});
+  const QString image = root.filePath("a place/share/tessera/firmware/tessera-vehicle.bin");
+  QFile file{image};
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write("x") == 1);
+  file.close();
+  EXPECT_EQ(firmwareImage(root.filePath("a place/bin")), image);
+
+  CommissionWizard wizard{link, document};
+  WizardHands hands{wizard};
+  hands.next();
+  hands.next();
+  auto& page = dynamic_cast<FlashPage&>(*wizard.currentPage());
+  EXPECT_TRUE(hands.at<QLineEdit>("flashCommand2").isVisible()) << "made from the sources: an image is made first";
+  page.useImage(image);
+  EXPECT_EQ(hands.at<QLineEdit>("flashCommand1").text(),
+            "openocd -f board/ek-lm3s6965.cfg -c 'program {" + image + "} verify reset exit 0x0'");
+  EXPECT_FALSE(hands.at<QLineEdit>("flashCommand2").isVisible());
+  EXPECT_EQ(hands.at<QLineEdit>("flashCommand3").text(), "lm4flash \"" + image + "\"");
 }
 
 TEST_F(WizardTest, WithoutAConnectionItOffersOne) {
