@@ -162,6 +162,7 @@ nlohmann::json optionsOf(const ExperimentWords& words, const Plan& plan) {
     options["compass_noise_deg"] = degrees(Radians{body.compass.noise / sim::kEarthHorizontal});
     options["compass_bias_deg"] = degrees(body.compass.bias);
     options["slip"] = body.plant.slip;
+    options["tyre_difference"] = body.plant.tyreDifference;
     options["speed_noise"] = body.plant.speedNoise;
     options["speed_noise_time_s"] = body.plant.speedNoiseMemory.value();
   }

@@ -230,6 +230,8 @@ sim::BodyParameters bodyFor(const floor::VehicleSetup& setup, const WorldOptions
   if (o.detection) body.readers.detection = *o.detection;
   if (o.radius) body.readers.radius = Metres{*o.radius};
   if (o.slip) body.plant.slip = *o.slip;
+  if (o.tyreDifference) body.plant.tyreDifference = *o.tyreDifference;
+  if (o.headingLearning) body.headingLearning = Metres{*o.headingLearning};
   if (o.speedNoise) body.plant.speedNoise = *o.speedNoise;
   if (o.speedNoiseTime) body.plant.speedNoiseMemory = Seconds{*o.speedNoiseTime};
   // A sample's noise of n on one axis turns the field of strength B by n/B.

@@ -63,6 +63,14 @@ void addWorldConditions(CLI::App& app, WorldOptions& o) {
   app.add_option("--slip", o.slip, "Mean share of the way that wheels lose at full duty (default 0)")
       ->group("World")
       ->check(CLI::Range{0.0, 0.5});
+  app.add_option("--tyre-difference", o.tyreDifference,
+                 "The right tyre is larger than the left one by this share, and encoders do not see it (default 0)")
+      ->group("World")
+      ->check(CLI::Range{-0.2, 0.2});
+  app.add_option("--heading-learning", o.headingLearning,
+                 "Vehicles learn their tyres' difference over so many metres; 0: they do not (default: the firmware's)")
+      ->group("World")
+      ->check(CLI::Range{0.0, 100.0});
   app.add_option("--speed-noise", o.speedNoise,
                  "Standard deviation of a wandering slip of both wheels, a share (default 0)")
       ->group("World")
@@ -149,6 +157,8 @@ std::vector<std::string> worldArguments(const WorldOptions& o) {
   maybe("--radius", o.radius);
   maybe("--dead-tags", o.deadTags);
   maybe("--slip", o.slip);
+  maybe("--tyre-difference", o.tyreDifference);
+  maybe("--heading-learning", o.headingLearning);
   maybe("--speed-noise", o.speedNoise);
   maybe("--speed-noise-time", o.speedNoiseTime);
   maybe("--compass-noise", o.compassNoise);

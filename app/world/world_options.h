@@ -26,19 +26,21 @@ struct WorldOptions {
   std::optional<double> airRate;  ///< bit/s; the site's where not given
   double airFactor = 1.8;
   double loss = 0.02;
-  double delay = 0.0;                    ///< s
-  std::optional<unsigned> readers;       ///< 1 to 8; the vehicle's setup where not given
-  std::optional<double> poll;            ///< s
-  std::optional<double> readTime;        ///< s, 0 to 0.2
-  std::optional<double> detection;       ///< 0 to 1
-  std::optional<double> radius;          ///< m; the vehicle's setup where not given
-  std::optional<double> deadTags;        ///< share of the site's tags that nobody reads, 0 to 1
-  std::optional<double> slip;            ///< 0 to 0.5
-  std::optional<double> speedNoise;      ///< 0 to 0.5
-  std::optional<double> speedNoiseTime;  ///< s, 0.01 to 60
-  std::optional<double> compassNoise;    ///< degrees
-  std::optional<double> compassBias;     ///< degrees
-  std::optional<double> compassSpots;    ///< degrees
+  double delay = 0.0;                     ///< s
+  std::optional<unsigned> readers;        ///< 1 to 8; the vehicle's setup where not given
+  std::optional<double> poll;             ///< s
+  std::optional<double> readTime;         ///< s, 0 to 0.2
+  std::optional<double> detection;        ///< 0 to 1
+  std::optional<double> radius;           ///< m; the vehicle's setup where not given
+  std::optional<double> deadTags;         ///< share of the site's tags that nobody reads, 0 to 1
+  std::optional<double> slip;             ///< 0 to 0.5
+  std::optional<double> tyreDifference;   ///< -0.2 to 0.2
+  std::optional<double> headingLearning;  ///< m, 0 to 100
+  std::optional<double> speedNoise;       ///< 0 to 0.5
+  std::optional<double> speedNoiseTime;   ///< s, 0.01 to 60
+  std::optional<double> compassNoise;     ///< degrees
+  std::optional<double> compassBias;      ///< degrees
+  std::optional<double> compassSpots;     ///< degrees
   // Adversity on the air, probabilities for each packet.
   double corrupt = 0.0;
   double drop = 0.0;

@@ -70,6 +70,11 @@ Result<firmware::Settings> settingsFor(const floor::VehicleSetup& setup, const f
     return failure("Vehicle \"" + setup.name + "\" cannot take " + std::to_string(value) + " for parameter " +
                    std::to_string(static_cast<int>(parameter)) + ".");
   }
+  if (body.headingLearning) {
+    const auto length = static_cast<std::int32_t>(std::lround(body.headingLearning->value() * 1e3));
+    if (settings.set(Parameter::HeadingLearning, length) != wire::Outcome::Done)
+      return failure("Vehicle \"" + setup.name + "\" cannot learn over " + std::to_string(length) + " mm.");
+  }
   return settings;
 }
 

@@ -16,9 +16,12 @@ Pose advancedAlongArc(const Pose& from, Metres way, Radians turn) {
 Plant::Plant(const PlantParameters& parameters, const Pose& start, RandomStream random)
     : parameters_{parameters}, pose_{start}, random_{random} {
   const double common = random_.normal(parameters_.scaleError);
+  double own = -0.5 * parameters_.tyreDifference;
   for (Wheel& wheel : wheels_) {
     wheel.gain = 1.0 + random_.normal(parameters_.motorMismatch);
-    wheel.diameter = parameters_.wheelDiameter.value() * (1.0 + common + random_.normal(parameters_.scaleDifference));
+    wheel.diameter =
+        parameters_.wheelDiameter.value() * (1.0 + common + own + random_.normal(parameters_.scaleDifference));
+    own = -own;
     wheel.slip = random_.normal(parameters_.slipWander);
   }
 }

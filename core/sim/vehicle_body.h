@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,6 +28,7 @@ struct BodyParameters {
   ReaderParameters readers;
   RangerParameters rangers;
   BatteryParameters battery;
+  std::optional<Metres> headingLearning;  ///< of the firmware's settings (Parameter::HeadingLearning); its own default
 };
 
 /// The defaults, with the sizes that the vehicle's setup states.

@@ -19,7 +19,7 @@ struct Text {
 // What reads the same in every language.
 consteval Pattern same(const char* value) { return {"", value}; }
 
-constexpr std::array<Text, 27> kTexts{{
+constexpr std::array<Text, 28> kTexts{{
     {Parameter::Address, phrase("Core", "the address"), same("%1")},
     {Parameter::WheelDiameter, phrase("Core", "the wheel diameter"), same("%1 µm")},
     {Parameter::TrackWidth, phrase("Core", "the track width"), same("%1 µm")},
@@ -42,6 +42,7 @@ constexpr std::array<Text, 27> kTexts{{
     {Parameter::BatteryLow, phrase("Core", "the voltage of a low battery"), same("%1 mV")},
     {Parameter::Acceleration, phrase("Core", "the acceleration"), same("%1 mm/s²")},
     {Parameter::CompassRatio, phrase("Core", "the compass' share in the heading"), same("%1/10000")},
+    {Parameter::HeadingLearning, phrase("Core", "the way along which unequal tyres are learned"), same("%1 mm")},
     {Parameter::FramesRefused, phrase("Core", "the count of refused frames"), same("%1")},
     {Parameter::FramesDamaged, phrase("Core", "the count of damaged frames"), same("%1")},
     {Parameter::LongestTick, phrase("Core", "the longest tick"), same("%1 µs")},

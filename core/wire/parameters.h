@@ -29,6 +29,7 @@ enum class Parameter : std::uint8_t {
   BatteryLow = 20,       ///< mV
   Acceleration = 21,     ///< mm/s^2
   CompassRatio = 22,     ///< 1/10000, share of the compass in the heading per compass sample
+  HeadingLearning = 23,  ///< mm of way along which the vehicle learns how unequal its tyres are; 0: it does not
   // Read only:
   FramesRefused = 64,       ///< frames with a wrong MAC or an old counter since the start
   FramesDamaged = 65,       ///< frames with a wrong checksum since the start

@@ -16,10 +16,10 @@ constexpr int kFarToBelieve = 50;
 
 void Heading::turn(float angle) { bearing_ = wrapAngle(bearing_ - angle); }
 
-void Heading::compass(float bearing) {
+float Heading::compass(float bearing) {
   const float innovation = wrapAngle(bearing - bearing_);
   if (samples_ > 0 && std::fabs(innovation) > kFar) {
-    if (++far_ < kFarToBelieve) return;
+    if (++far_ < kFarToBelieve) return 0.0F;
     samples_ = 0;
   }
   far_ = 0;
@@ -27,11 +27,13 @@ void Heading::compass(float bearing) {
     bearing_ = wrapAngle(bearing);
     known_ = true;
     samples_ = 1;
-    return;
+    return 0.0F;
   }
-  float gain = ratio_;
-  if (samples_ < kAveraged) gain = std::max(gain, 1.0F / static_cast<float>(++samples_));
-  bearing_ = wrapAngle(bearing_ + gain * std::clamp(innovation, -kClip, kClip));
+  const bool starting = samples_ < kAveraged;
+  const float gain = starting ? std::max(ratio_, 1.0F / static_cast<float>(++samples_)) : ratio_;
+  const float correction = gain * std::clamp(innovation, -kClip, kClip);
+  bearing_ = wrapAngle(bearing_ + correction);
+  return starting ? 0.0F : correction;
 }
 
 }  // namespace tessera::firmware

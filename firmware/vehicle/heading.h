@@ -12,7 +12,8 @@ public:
   /// The vehicle has turned by this much, radians counter-clockwise.
   void turn(float angle);
   /// A compass sample: bearing in radians. The first ones are averaged, so that the start is not left to one of them.
-  void compass(float bearing);
+  /// Returns by how much it has turned the bearing, clockwise; 0 where the sample did nothing, or the start is made.
+  float compass(float bearing);
   /// Starts from the next sample anew, as after a calibration.
   void restart() { samples_ = 0; }
 

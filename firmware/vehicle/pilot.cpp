@@ -25,6 +25,7 @@ void Pilot::configure(const Settings& settings) {
   halfTrack_ = 0.5F * track;
   compass_.configure(settings);
   heading_.configure(static_cast<float>(settings.get(Parameter::CompassRatio)) * 1e-4F);
+  bend_.configure(static_cast<float>(settings.get(Parameter::HeadingLearning)) * 1e-3F, track);
   rangers_.configure(static_cast<float>(settings.get(Parameter::StopDistance)) * 1e-3F);
   control_.configure(settings);
 }
@@ -51,16 +52,23 @@ void Pilot::sense(Micros now) {
   left_.measure(board_.counts(Wheel::Left));
   right_.measure(board_.counts(Wheel::Right));
   odometry_.add(left_.step(), right_.step());
-  heading_.turn(odometry_.turned());
+  heading_.turn(odometry_.turned() + bend_.perMetre() * odometry_.way());
+  wayFelt_ += odometry_.way();
   const auto sample = compass_.tick(now);
   if (sample) {
     noise_ = std::rotl(noise_, 5) ^ std::bit_cast<std::uint32_t>(sample->raw.x) ^
              std::rotl(std::bit_cast<std::uint32_t>(sample->raw.y), 16);
-    if (sample->usable && calibration_.status() != CompassCalibration::Status::Turning)
-      heading_.compass(sample->bearing);
+    if (sample->usable && calibration_.status() != CompassCalibration::Status::Turning) feel(*sample);
   }
   calibration_.tick(odometry_.turned(), sample ? std::optional{sample->raw} : std::nullopt, now);
   rangers_.tick(now);
+}
+
+// The bend is the tyres': it is learned where they roll, and kept over stops, commands and calibrations.
+void Pilot::feel(const Compass::Sample& sample) {
+  const float correction = heading_.compass(sample.bearing);
+  if (state_ == VehicleState::Driving) bend_.learn(wayFelt_, correction);
+  wayFelt_ = 0.0F;
 }
 
 void Pilot::watch() {
@@ -111,8 +119,9 @@ void Pilot::move(const Motion& motion) {
     brake();
     return;
   }
-  const float side = motion.turnRate * halfTrack_;
-  const float push = motion.turnAcceleration * halfTrack_;
+  // The wheels turn against the bend, so that the vehicle turns as is wished.
+  const float side = (motion.turnRate - bend_.perMetre() * motion.speed) * halfTrack_;
+  const float push = (motion.turnAcceleration - bend_.perMetre() * motion.acceleration) * halfTrack_;
   board_.drive(Wheel::Left, left_.drive(motion.speed - side, motion.acceleration - push));
   board_.drive(Wheel::Right, right_.drive(motion.speed + side, motion.acceleration + push));
 }

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "firmware/vehicle/bend.h"
 #include "firmware/vehicle/board.h"
 #include "firmware/vehicle/command.h"
 #include "firmware/vehicle/compass.h"
@@ -52,6 +53,7 @@ public:
 
 private:
   void sense(Micros now);
+  void feel(const Compass::Sample& sample);
   void watch();
   void decide(Micros now);
   void decideCalibration(Micros now);
@@ -66,6 +68,8 @@ private:
   Odometry odometry_;
   Compass compass_;
   Heading heading_;
+  Bend bend_;
+  float wayFelt_ = 0.0F;  ///< m since the last compass sample
   Rangers rangers_;
   DriveControl control_;
   CompassCalibration calibration_;

@@ -37,6 +37,7 @@ constexpr std::array<Range, kSettingCount> kRanges{{
     {0, 60'000, 10'500},               // BatteryLow
     {50, 5'000, 500},                  // Acceleration
     {0, 10'000, 300},                  // CompassRatio: slip of 2 % bends the heading by 0.5 degrees at 0.2 m/s
+    {0, 100'000, 10'000},              // HeadingLearning; 0 does not learn
 }};
 
 constexpr std::uint8_t kMagic[2] = {'T', 'S'};

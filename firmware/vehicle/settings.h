@@ -17,7 +17,7 @@ namespace tessera::firmware {
 /// Address of a vehicle that nobody has commissioned yet, or whose settings cannot be read.
 inline constexpr std::uint8_t kUncommissionedAddress = 254;
 
-inline constexpr std::uint8_t kSettingCount = 22;
+inline constexpr std::uint8_t kSettingCount = 23;
 
 /// Values are in the wire's units (wire::Parameter) and always within their ranges.
 class Settings {

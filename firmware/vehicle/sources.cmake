@@ -1,5 +1,6 @@
 # The vehicle's logic, relative to this folder. The same list is compiled for the microcontroller and for the host.
 set(TESSERA_VEHICLE_SOURCES
+  bend.cpp
   command.cpp
   compass.cpp
   compass_calibration.cpp

@@ -31,7 +31,7 @@ TEST(Settings, refuseValuesOutOfRangeAndUnknownParameters) {
   EXPECT_EQ(s.set(Parameter::RadioBaud, -1), Outcome::OutOfRange);
   EXPECT_EQ(s.set(Parameter::StackFree, 1), Outcome::Unknown);
   EXPECT_EQ(s.set(static_cast<Parameter>(0), 1), Outcome::Unknown);
-  EXPECT_EQ(s.set(static_cast<Parameter>(23), 1), Outcome::Unknown);
+  EXPECT_EQ(s.set(static_cast<Parameter>(24), 1), Outcome::Unknown);
   EXPECT_EQ(s, before);
   EXPECT_EQ(s.set(Parameter::Address, 7), Outcome::Done);
   EXPECT_EQ(s.get(Parameter::Address), 7);
@@ -67,7 +67,7 @@ TEST(Settings, surviveTheirRecordAndNoDamageToIt) {
 TEST(Settings, ofAnOlderFirmwareLeaveNewParametersAtTheirDefaults) {
   Settings s;
   s.set(Parameter::Address, 9);
-  s.set(Parameter::CompassRatio, 500);
+  s.set(Parameter::HeadingLearning, 500);
   const auto whole = encodeRecord({1, s});
   std::vector<std::uint8_t> shorter{whole.begin(), whole.end() - 6};  // one value and the checksum less
   shorter[3] = kSettingCount - 1;
@@ -77,7 +77,7 @@ TEST(Settings, ofAnOlderFirmwareLeaveNewParametersAtTheirDefaults) {
   const auto record = decodeRecord(shorter);
   ASSERT_TRUE(record);
   EXPECT_EQ(record->settings.get(Parameter::Address), 9);
-  EXPECT_EQ(record->settings.get(Parameter::CompassRatio), Settings{}.get(Parameter::CompassRatio));
+  EXPECT_EQ(record->settings.get(Parameter::HeadingLearning), Settings{}.get(Parameter::HeadingLearning));
 }
 
 TEST(EepromImage, holdsTheSettingsItWasMadeOf) {

@@ -100,6 +100,7 @@ TEST(ProtocolDocument, namesEveryParameterActionStateAndFault) {
   row(Parameter::BatteryLow, "BatteryLow");
   row(Parameter::Acceleration, "Acceleration");
   row(Parameter::CompassRatio, "CompassRatio");
+  row(Parameter::HeadingLearning, "HeadingLearning");
   row(Parameter::FramesRefused, "FramesRefused");
   row(Parameter::FramesDamaged, "FramesDamaged");
   row(Parameter::LongestTick, "LongestTick");
