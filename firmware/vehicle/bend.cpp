@@ -8,7 +8,7 @@
 namespace tessera::firmware {
 namespace {
 
-constexpr float kIron = kPi / 18.0F;      // 10 degrees: what iron in a floor turns a compass by
+constexpr float kIron = kPi / 9.0F;       // 20 degrees: what the compass turns by between two spots of iron
 constexpr float kMostDifference = 0.15F;  // between the tyres, a share of the way
 constexpr float kStretch = 0.10F;         // m: long enough that the samples' noise is small beside the largest bend
 

@@ -2058,6 +2058,10 @@
         <source>All vehicles shall stop. They cannot be told while the radio&apos;s port is not open: each stops by itself when its command runs out.</source>
         <translation>所有车辆应停车。无线电端口未打开，无法通知它们；每辆车在其命令过期后会自行停车。</translation>
     </message>
+    <message>
+        <source>the way along which unequal tyres are learned</source>
+        <translation>学习左右轮胎差异所用的行程</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>

@@ -26,6 +26,24 @@ TEST_P(PaperRoute, isDrivenToItsEndOnTheLineWithoutTurningBack) {
 
 INSTANTIATE_TEST_SUITE_P(Speeds, PaperRoute, testing::Values(0.05, 0.08, 0.12, 0.20));
 
+class UnequalTyres : public testing::TestWithParam<double> {};
+
+TEST_P(UnequalTyres, keepNoVehicleFromItsRoute) {
+  ScenarioSetup setup;
+  setup.speed = MetresPerSecond{0.20};
+  setup.world.tyreDifference = GetParam();
+  Scenario scenario{setup};
+  scenario.orderRoutes();
+  ASSERT_TRUE(scenario.until(Seconds{300}, [&] { return scenario.finished(); })) << scenario.sentences();
+  const auto metrics = scenario.outcomes().front().metrics;
+  RecordProperty("cross_track_rms_cm", std::to_string(metrics.crossTrackRms.value() * 100));
+  EXPECT_LT(metrics.positionErrorMean.value(), 0.05);
+  EXPECT_LT(metrics.crossTrackRms.value(), 0.03);
+  EXPECT_EQ(metrics.reversals, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shares, UnequalTyres, testing::Values(-0.10, -0.03, 0.03, 0.10));
+
 TEST(ASlowLeg, isDrivenNoFasterThanItMayAndTheOthersAsOrdered) {
   static constexpr MetresPerSecond kSlow{0.06};
   static constexpr std::size_t kSlowLeg = 1;  // begins and ends on a straight way: nothing else slows it down there

@@ -41,6 +41,20 @@ TEST(Plant, goesStraightOnWithoutATurn) {
   EXPECT_NEAR(pose.position.y.value(), 2.5, 1e-12);
 }
 
+TEST(Plant, isLedAlongABendByTyresOfWhichItsEncodersTellNothing) {
+  PlantParameters p = perfect();
+  p.tyreDifference = 0.10;
+  Plant plant = perfectPlant(p);
+  EXPECT_NEAR(plant.trueDiameter(1) / plant.trueDiameter(0), 1.05 / 0.95, 1e-9);
+  // Duties at which both wheels turn alike: what the left one lacks at its rim it has in turns.
+  const double rim = 0.3;
+  const auto duty = [](double speed) { return static_cast<int>(std::lround(1000.0 * (speed + 0.03) / 0.8)); };
+  run(plant, 20'000, {duty(0.95 * rim), duty(1.05 * rim)});
+  const auto counts = plant.encoderCounts();
+  EXPECT_NEAR(static_cast<double>(counts[1]) / static_cast<double>(counts[0]), 1.0, 0.005);
+  EXPECT_NEAR(plant.turnRate().value() / plant.speed().value(), 0.10 / 0.30, 0.01);
+}
+
 TEST(Plant, drivesACircleWhoseRadiusIsThatOfTheWheelSpeeds) {
   Plant plant = perfectPlant();
   run(plant, 2000, {400, 600});
