@@ -13,6 +13,7 @@
 #include "base/pose.h"
 #include "base/result.h"
 #include "floor/site_map.h"
+#include "locate/magnetic_map.h"
 #include "locate/observation.h"
 
 namespace tessera::locate {
@@ -55,6 +56,9 @@ public:
     static_cast<void>(from);
     static_cast<void>(until);
   }
+  /// What the floor's iron does to the compass, as far as it is known; holds until told otherwise. A locator may make
+  /// use of it, or not. The map is read while observations are added, and may change between them.
+  virtual void expect(const MagneticOutlook& outlook) { static_cast<void>(outlook); }
   /// The estimate at an instant: between motions by interpolation, after the last one by dead reckoning at its speed
   /// and turn rate for kMaxCoast at most. For control, ask at(lastMotion()) and let drive::predict roll it forward:
   /// that knows the commands given since.

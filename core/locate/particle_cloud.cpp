@@ -88,7 +88,8 @@ void ParticleCloud::scatterUnder(const Eigen::Vector2d& tag, const Eigen::Vector
 void ParticleCloud::move(const CloudStep& step) {
   const double slip = options_.slipPerRootMetre * std::sqrt(step.way);
   const double across = std::hypot(slip, step.chord * options_.turnShare * step.turn);
-  const double drift = std::hypot(options_.biasPerRootMetre * std::sqrt(step.way), options_.biasPerTurn * step.turn);
+  const double drift =
+      std::hypot(options_.biasPerRootMetre * step.calm * std::sqrt(step.way), options_.biasPerTurn * step.turn);
   // A vehicle that stands keeps its slip.
   const double keep = step.way > 0.0 ? std::exp(-step.seconds / options_.scaleMemory) : 1.0;
   const double fresh = std::sqrt(1.0 - keep * keep);
@@ -96,7 +97,7 @@ void ParticleCloud::move(const CloudStep& step) {
   const double s = std::sin(step.heading);
   lastWay_ += step.chord * Eigen::Vector2d{c, s};
   for (std::size_t i = 0; i < size(); ++i) {
-    const double dBias = drift * random_.normal();
+    const double dBias = drift * random_.normal() + step.shift + step.pull * (step.toward - bias_[i]);
     // Half of the new bias acts on this step already: it changed on the way.
     const double cb = cosBias_[i] - 0.5 * dBias * sinBias_[i];
     const double sb = sinBias_[i] + 0.5 * dBias * cosBias_[i];

@@ -51,6 +51,10 @@ struct CloudStep {
   double heading = 0.0;  ///< rad, reported, in the middle
   double turn = 0.0;     ///< rad
   double seconds = 0.0;  ///< that it took
+  double calm = 1.0;     ///< times that the bias wanders (ParticleOptions::biasPerRootMetre)
+  double shift = 0.0;    ///< rad, change of the bias that is foreseen
+  double pull = 0.0;     ///< share by which the bias ...
+  double toward = 0.0;   ///< rad, ... goes back to this
 };
 
 /// Where a reader stood at an earlier instant, seen from where the vehicle is now, before bias and scale are taken out.

@@ -70,6 +70,8 @@ void ParticleLocator::add(const Motion& motion) {
   cloudFrom_ = before;
   cloud_.beginMotion();
   if (rivals_) rival_.beginMotion();
+  // Where the map is asked: the particles lie within a fraction of its grid.
+  Eigen::Vector2d place = moments_.mean.head<2>();
   odometry_.walk(before, motion.at.value(), [&](const Odometry::Sample& a, const Odometry::Sample& b) {
     const double travel = b.travel - a.travel;
     const double pieces = std::ceil(std::max(1.0, std::abs(travel) / options_.longestPiece));
@@ -78,13 +80,25 @@ void ParticleLocator::add(const Motion& motion) {
     // A run of even curvature is driven on an arc; its chord is what moves the place.
     const double chord = travel / pieces * (std::abs(half) > 1e-4 ? std::sin(half) / half : 1.0);
     for (double i = 0.0; i < pieces; ++i) {
-      const CloudStep step{chord, std::abs(travel) / pieces, a.heading + (2.0 * i + 1.0) * half, turn,
-                           (b.at - a.at) / pieces};
+      CloudStep step{chord, std::abs(travel) / pieces, a.heading + (2.0 * i + 1.0) * half, turn,
+                     (b.at - a.at) / pieces};
+      if (outlook_.map) foresee(step, place);
       cloud_.move(step);
       if (rivals_) rival_.move(step);
     }
   });
   drawIn();
+}
+
+void ParticleLocator::foresee(CloudStep& step, Eigen::Vector2d& place) {
+  const double heading = step.heading - moments_.mean(2);
+  place += step.chord * moments_.mean(3) * Eigen::Vector2d{std::cos(heading), std::sin(heading)};
+  const auto expected = foresight_.over(outlook_, {Metres{place.x()}, Metres{place.y()}}, step.way, step.seconds,
+                                        options_.biasPerRootMetre);
+  step.calm = expected.wander / options_.biasPerRootMetre;
+  step.shift = expected.shift;
+  step.pull = expected.pull;
+  step.toward = expected.toward;
 }
 
 bool ParticleLocator::usable(int reader, Seconds at) {

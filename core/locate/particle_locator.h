@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "locate/locator.h"
+#include "locate/magnetic_foresight.h"
 #include "locate/odometry.h"
 #include "locate/particle_cloud.h"
 #include "locate/poll_clock.h"
@@ -29,6 +30,7 @@ public:
   void add(const TagRead& read) override;
   void add(const TagLeft& left) override;
   void told(Seconds from, Seconds until) override;
+  void expect(const MagneticOutlook& outlook) override { outlook_ = outlook; }
   [[nodiscard]] Estimate at(Seconds now) const override;
   [[nodiscard]] Seconds lastMotion() const override { return odometry_.last(); }
   void reset(std::optional<Pose> pose) override;
@@ -56,6 +58,8 @@ private:
     Eigen::Vector2d tag;
   };
 
+  /// Fills in what the map foresees of the bias, and moves `place` on.
+  void foresee(CloudStep& step, Eigen::Vector2d& place);
   bool usable(int reader, Seconds at);
   void take(int reader, const Eigen::Vector2d& tag, double at);
   void endVisit(int reader, double lastGood);
@@ -75,6 +79,8 @@ private:
   std::shared_ptr<const floor::SiteMap> map_;
   floor::VehicleSetup vehicle_;
   ParticleOptions options_;
+  MagneticOutlook outlook_;
+  MagneticForesight foresight_;
   Odometry odometry_;
   PollClock clock_;
   ParticleCloud cloud_;

@@ -70,6 +70,7 @@ private:
     pose_.position = pose_.position + turned({Metres{d}, Metres{}}, pose_.heading);
     pose_.heading = wrapped(pose_.heading + Radians{turn});
     wander_ += -wander_ * kStep + std::sqrt(2.0 * kStep) * normal_(random_);
+    if (o_.iron) iron_ += (1.0 - std::exp(-kStep / locate::kCompassMemory)) * (o_.iron(pose_.position) - iron_);
     travel_ += d * (1.0 + o_.speedNoise * wander_);
     speed_ = d / kStep * (1.0 + o_.speedNoise * wander_);
     for (std::size_t i = 0; i < heads_.size(); ++i)
@@ -112,7 +113,7 @@ private:
 
   void report() {
     nextReport_ += o_.reportPeriod;
-    const double heading = (o_.compassBias + o_.compassNoise * normal_(random_)) * kPi / 180.0;
+    const double heading = (o_.compassBias + o_.compassNoise * normal_(random_)) * kPi / 180.0 + iron_;
     const locate::Motion motion{Seconds{now_}, Metres{travel_}, MetresPerSecond{speed_},
                                 pose_.heading + Radians{heading}};
     pending_.insert(pending_.begin(), motion);
@@ -132,7 +133,7 @@ private:
   std::vector<Head> heads_;
   std::vector<Observation> pending_;
   Pose pose_;
-  double now_ = 0.0, travel_ = 0.0, speed_ = 0.0, wander_ = 0.0, nextReport_ = 0.0;
+  double now_ = 0.0, travel_ = 0.0, speed_ = 0.0, wander_ = 0.0, nextReport_ = 0.0, iron_ = 0.0;
   bool lifted_ = false;
   int reports_ = 0;
 };

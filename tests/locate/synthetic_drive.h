@@ -21,9 +21,11 @@ struct DriveOptions {
   double delay = 0.2;         ///< s, from the report's making to the locator
   double compassNoise = 2.0;  ///< degrees, white, per report
   double compassBias = 2.0;   ///< degrees
-  double speedNoise = 0.10;   ///< share, of a slowly wandering kind (1 s)
-  double lostEvents = 0.0;    ///< chance that a tag event never arrives
-  double unknownTags = 0.0;   ///< chance that a tag's UID is not in the map
+  /// Radians by which iron turns the compass at a place; the heading follows it as slowly as a vehicle's. Null: none.
+  std::function<double(Point)> iron = nullptr;
+  double speedNoise = 0.10;  ///< share, of a slowly wandering kind (1 s)
+  double lostEvents = 0.0;   ///< chance that a tag event never arrives
+  double unknownTags = 0.0;  ///< chance that a tag's UID is not in the map
   std::optional<double>
       carriedAt;           ///< s: lifted and set down 0.5 m to the right (or left, near the edge), turned by 90°
   bool shuffled = false;   ///< each report's observations in reverse order, every third report 1 s late
