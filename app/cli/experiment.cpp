@@ -1,5 +1,7 @@
 // `tessera-cli experiment`: drives routes in a simulated world, and judges the drive by what was true.
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
@@ -17,6 +19,7 @@
 #include "drive/route_follower.h"
 #include "floor/site_json.h"
 #include "locate/locator.h"
+#include "locate/magnetic_file.h"
 #include "sim/random_stream.h"
 #include "sim/site_bounds.h"
 
@@ -32,6 +35,7 @@ struct ExperimentWords {
   std::string out = "out/experiment";
   std::string estimator;
   std::string controller;
+  std::string magneticMap;
   double limit = 0;
   double carry = 0;
   bool lockstep = false;
@@ -49,6 +53,26 @@ struct Plan {
   MetresPerSecond speed;
   Seconds limit;
 };
+
+// The floor's iron, as drives before have learned it; a file that is not there yet begins an empty one.
+Result<void> takeMagneticMap(const std::string& file, supervisor::Config& config) {
+  if (file.empty()) return {};
+  config.byMagneticMap = true;
+  if (!std::filesystem::exists(file)) return {};
+  std::ifstream in{file, std::ios::binary};
+  const std::vector<char> read{std::istreambuf_iterator<char>{in}, std::istreambuf_iterator<char>{}};
+  const std::vector<std::uint8_t> bytes{read.begin(), read.end()};
+  auto map = locate::magneticMapFrom(bytes);
+  if (!map) return failure(file + ": " + map.error().sentence.english());
+  config.magnetic = std::make_shared<locate::MagneticMap>(std::move(*map));
+  return {};
+}
+
+Result<void> keepMagneticMap(const std::string& file, const supervisor::Snapshot* last) {
+  if (file.empty() || last == nullptr || !last->magnetic) return {};
+  const std::vector<std::uint8_t> bytes = locate::bytesOf(*last->magnetic);
+  return experiment::writeWhole(file, std::string{bytes.begin(), bytes.end()});
+}
 
 Result<Plan> planOf(const ExperimentWords& words) {
   auto site = floor::loadSite(words.world.site);
@@ -72,6 +96,7 @@ Result<Plan> planOf(const ExperimentWords& words) {
   plan.config.locator = words.estimator;
   plan.config.controller = words.controller;
   plan.config.seed = words.world.seed;
+  if (auto known = takeMagneticMap(words.magneticMap, plan.config); !known) return tl::unexpected{known.error()};
   plan.limit = words.limit > 0 ? Seconds{words.limit} : generousLimit(*plan.map, plan.assignments, plan.speed);
   return plan;
 }
@@ -114,6 +139,8 @@ Result<RunEnd> runLockstep(const Plan& plan, const ExperimentWords& words, exper
     progress.show(recorder.share(), recorder.progress());
     return recorder.allFinished();
   });
+  if (auto kept = keepMagneticMap(words.magneticMap, lockstep.snapshot().get()); !kept)
+    return tl::unexpected{kept.error()};
   return done ? RunEnd::Finished : RunEnd::TimeUp;
 }
 
@@ -215,6 +242,8 @@ int experimentMain(ExperimentWords words) {
   if (words.lockstep && words.world.kind == world::Kind::Qemu) {
     return complain("An emulated vehicle runs in real time: leave out --lockstep, or take --vehicle native.", kUsage);
   }
+  if (!words.magneticMap.empty() && !words.lockstep)
+    return complain("A magnetic map (--magnetic-map) needs --lockstep.", kUsage);
   if (words.route.empty() && words.drives.empty())
     return complain("Name a route with --route NAME, or vehicles and routes with --drive ID=ROUTE.", kUsage);
   auto plan = planOf(words);
@@ -266,6 +295,9 @@ void addExperiment(CLI::App& app, Run& run) {
       ->add_option("--carry", words->carry,
                    "Lift the first vehicle after so many seconds and set it down elsewhere (lockstep only)")
       ->check(CLI::Range(0.1, 1e6));
+  command->add_option("--magnetic-map", words->magneticMap,
+                      "Locate vehicles by what earlier drives have learned of the floor's iron, kept in this file, and "
+                      "learn on (lockstep only)");
   command->add_flag("--json", words->json, "Print the summary as JSON");
   command->add_flag("--quiet", words->quiet, "No progress");
   world::addWorldConditions(*command, words->world);

@@ -99,7 +99,7 @@ public:
     if (!setups) return tl::unexpected{setups.error()};
     if (auto ready = prepareFolder(); !ready) return tl::unexpected{ready.error()};
     spots_ = sim::seededSpots(site_, options_.compassSpots ? fromDegrees(*options_.compassSpots) : sim::kSpotDeviation,
-                              options_.seed ^ kSpotSeed);
+                              options_.floorSeed.value_or(options_.seed) ^ kSpotSeed);
     scene_ = sim::roomAround(site_, kRoomMargin);
     made_.world = std::make_unique<sim::World>(sim::WorldConfig{
         site_.radio, {options_.airFactor, options_.loss, Seconds{options_.delay}}, scene_, options_.seed, start});

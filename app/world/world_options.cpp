@@ -88,6 +88,10 @@ void addWorldConditions(CLI::App& app, WorldOptions& o) {
   app.add_option("--compass-spots", o.compassSpots, "Deviation over iron in the floor in degrees (default 10)")
       ->group("World")
       ->check(CLI::Range{0.0, 45.0});
+  app.add_option("--floor-seed", o.floorSeed,
+                 "Seed of where the iron lies, so that other vehicles or another day meet the same floor (default: the "
+                 "seed)")
+      ->group("World");
   app.add_option("--corrupt", o.corrupt, "Probability that a byte of a packet is changed on the air")
       ->group("World")
       ->check(probability)
@@ -146,6 +150,7 @@ std::vector<std::string> worldArguments(const WorldOptions& o) {
   path("--eeprom-dir", o.eepromDir);
   path("--truth", o.truth);
   add("--seed", std::to_string(o.seed));
+  if (o.floorSeed) add("--floor-seed", std::to_string(*o.floorSeed));
   maybe("--air-rate", o.airRate);
   number("--air-factor", o.airFactor);
   number("--loss", o.loss);

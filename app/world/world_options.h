@@ -23,7 +23,8 @@ struct WorldOptions {
   std::string truth;      ///< CSV of true poses; empty: none
   // How the world is.
   std::uint64_t seed = 1;
-  std::optional<double> airRate;  ///< bit/s; the site's where not given
+  std::optional<std::uint64_t> floorSeed;  ///< of the iron in the floor; the seed where not given
+  std::optional<double> airRate;           ///< bit/s; the site's where not given
   double airFactor = 1.8;
   double loss = 0.02;
   double delay = 0.0;                     ///< s

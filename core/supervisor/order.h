@@ -10,6 +10,7 @@
 #include "base/ids.h"
 #include "base/units.h"
 #include "floor/site_map.h"
+#include "locate/magnetic_map.h"
 #include "wire/messages.h"
 
 namespace tessera::supervisor {
@@ -91,6 +92,13 @@ struct UseSite {
   bool operator==(const UseSite&) const = default;  ///< the same map, not an equal one
 };
 
-using Order = std::variant<RunRoute, Pause, Resume, Stop, StopAll, Clear, Ask, Pair, Jog, Watch, UseSite>;
+/// Go on with this magnetic map of the floor instead of the one learned so far; null: with an empty one.
+struct UseMagneticMap {
+  std::shared_ptr<const locate::MagneticMap> map;
+  bool operator==(const UseMagneticMap&) const = default;  ///< the same map, not an equal one
+};
+
+using Order =
+    std::variant<RunRoute, Pause, Resume, Stop, StopAll, Clear, Ask, Pair, Jog, Watch, UseSite, UseMagneticMap>;
 
 }  // namespace tessera::supervisor

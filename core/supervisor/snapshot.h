@@ -15,6 +15,10 @@
 #include "floor/tag.h"
 #include "wire/messages.h"
 
+namespace tessera::locate {
+class MagneticMap;
+}
+
 namespace tessera::supervisor {
 
 struct LocatingView;
@@ -133,6 +137,10 @@ struct Snapshot {
   ChannelView channel;
   std::vector<VehicleView> vehicles;            ///< in the order of the site
   std::shared_ptr<const LocatingView> watched;  ///< of the vehicle that Watch names; null: none, or nothing heard of it
+
+  /// What is known of the floor's iron, a second old at most; the same pointer while it is the same. Never null when it
+  /// comes from a supervisor.
+  std::shared_ptr<const locate::MagneticMap> magnetic;
 
   /// Nullptr: no such vehicle.
   [[nodiscard]] const VehicleView* find(VehicleId id) const {

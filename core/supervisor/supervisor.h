@@ -14,6 +14,7 @@
 
 #include "base/result.h"
 #include "floor/site_map.h"
+#include "locate/magnetic_map.h"
 #include "supervisor/event.h"
 #include "supervisor/order.h"
 #include "supervisor/snapshot.h"
@@ -29,6 +30,9 @@ struct Config {
   /// Keys that vehicles may have by now instead of the site's: pairings whose end was not heard before the last run
   /// ended. Both are tried, and the event Paired tells which one it is.
   std::map<VehicleId, wire::Key> offeredKeys{};
+  /// What is known of the floor's iron; null: nothing yet.
+  std::shared_ptr<const locate::MagneticMap> magnetic{};
+  bool byMagneticMap = false;  ///< vehicles are located by it as well
 };
 
 struct TickOutput {

@@ -13,6 +13,7 @@
 #include "link/link_event.h"
 #include "link/peer.h"
 #include "locate/locator.h"
+#include "locate/magnetic_learner.h"
 #include "supervisor/command_history.h"
 #include "supervisor/episode.h"
 #include "supervisor/event_log.h"
@@ -59,6 +60,13 @@ public:
   [[nodiscard]] bool mayBePaired(EventLog& log) const;
   /// Somebody looks at how it is located, or no longer does.
   void watch(bool watched);
+  /// The floor's magnetic map, which outlives this and is not changed while it is told anything. byIt: the vehicle is
+  /// located by it as well. Null: there is none.
+  void useMagneticMap(std::shared_ptr<const locate::MagneticMap> map, bool byIt);
+  /// What its compass has taught since; to be called when nobody reads the map. True: something.
+  bool teach(locate::MagneticMap& map) { return learner_.teach(map); }
+  /// Its compass is calibrated anew: what was learned of it no longer holds.
+  void forgetCompass() { learner_.restart(); }
   /// The site was edited; the vehicle itself is what it was.
   void use(std::shared_ptr<const floor::SiteMap> map);
   /// The zones of the traffic that it shares are others now.
@@ -94,6 +102,7 @@ private:
   void inTouch(EventLog& log);
   void takeTags(const link::Reported& e, EventLog& log);
   void tellSilence(const link::Reported& e);
+  void foresee();
   void noteInnovation(const ReadView& read);
   void watchState(Seconds now, EventLog& log);
   void watchPlace(EventLog& log);
@@ -114,6 +123,9 @@ private:
   std::string controller_;
   drive::VehicleAbility ability_;
   std::unique_ptr<locate::Locator> locator_;
+  std::shared_ptr<const locate::MagneticMap> magnetic_;
+  bool byMagnetic_ = false;
+  locate::MagneticLearner learner_;
   std::unique_ptr<drive::RouteFollower> follower_;
   std::shared_ptr<traffic::Traffic> traffic_;
   std::shared_ptr<traffic::ZoneGuard> guard_;  ///< of the follower

@@ -58,6 +58,7 @@ void VehicleAgent::take(const link::Identified& e, EventLog& log) {
     // Its odometer and its commands are gone; its place is what it was.
     odometer_.restart();
     history_.clear();
+    learner_.restart();
     if (restart_.active()) {
       restart_.forget();
       log.tell(Severity::Info, EventKind::Restarted, id(),
@@ -183,10 +184,13 @@ void VehicleAgent::take(const link::Reported& e, EventLog& log) {
   last_ = e;
   motion_ = locate::Motion{e.sampledAt, odometer_.add(e.report.travel), MetresPerSecond{e.report.speed / 1000.0},
                            reportedHeading()};
+  foresee();
   locator_->add(*motion_);
+  const locate::Estimate moved = locator_->at(locator_->lastMotion());
   takeTags(e, log);
   tellSilence(e);
   estimate_ = locator_->at(locator_->lastMotion());
+  if (magnetic_) learner_.take(moved, estimate_, *magnetic_);
   watchPlace(log);
   watchState(e.receivedAt, log);
 }

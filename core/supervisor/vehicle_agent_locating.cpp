@@ -1,4 +1,4 @@
-// What is told of the one vehicle that somebody looks at: how it is located.
+// What is told of the one vehicle that somebody looks at: how it is located. And what its compass teaches of the floor.
 #include "supervisor/vehicle_agent.h"
 
 namespace tessera::supervisor {
@@ -7,6 +7,16 @@ void VehicleAgent::watch(bool watched) {
   if (watched == watched_) return;
   watched_ = watched;
   innovations_.clear();
+}
+
+void VehicleAgent::useMagneticMap(std::shared_ptr<const locate::MagneticMap> map, bool byIt) {
+  magnetic_ = std::move(map);
+  byMagnetic_ = byIt;
+  learner_.restart();
+}
+
+void VehicleAgent::foresee() {
+  if (magnetic_ && byMagnetic_) locator_->expect({magnetic_, learner_.own()});
 }
 
 // Before the locator learns of the read.

@@ -118,6 +118,7 @@ void VehicleAgent::use(std::shared_ptr<const floor::SiteMap> map) {
   takeName();
   std::erase_if(unknownTags_, [&](const floor::TagUid& uid) { return map_->find(uid).has_value(); });
   if (sameNorth) return locator_->useMap(map_);
+  learner_.restart();
   auto made = locate::makeLocator(locatorName_, map_, setup_);
   if (!made) return;  // it was made of the same words and the same vehicle before
   locator_ = std::move(*made);
