@@ -21,6 +21,7 @@ Scenario::Scenario(ScenarioSetup setup) : setup_{std::move(setup)} {
   config.locator = setup_.locator;
   config.controller = setup_.controller;
   config.seed = setup_.seed;
+  config.byMagneticMap = setup_.byMagneticMap;
   config.offeredKeys = setup_.offeredKeys;
   for (const auto& a : setup_.assignments) {
     config.vehicles.push_back(a.vehicle);

@@ -27,6 +27,7 @@ struct ScenarioSetup {
   std::string controller;
   std::function<void(floor::Site&)> change = [](floor::Site&) {};  ///< to the site that world and supervisor share
   std::map<VehicleId, wire::Key> offeredKeys;                      ///< supervisor::Config::offeredKeys
+  bool byMagneticMap = false;                                      ///< supervisor::Config::byMagneticMap
   bool wrongKey = false;  ///< the supervisor's site has another key for every vehicle than its EEPROM
 };
 
