@@ -83,7 +83,14 @@ constexpr std::array kLegSpeeds{
     "ALTER TABLE route_vertex ADD COLUMN leg_speed",
 };
 
-constexpr std::array<std::span<const char* const>, 5> kSteps{kSites, kJournal, kBackdrops, kRevisions, kLegSpeeds};
+constexpr std::array kMagneticMaps{
+    // key: as in revision. nodes: as locate/magnetic_file.h writes them.
+    "CREATE TABLE magnetic_map(key TEXT NOT NULL, simulated INTEGER NOT NULL, saved_ms INTEGER NOT NULL,"
+    " nodes BLOB NOT NULL, PRIMARY KEY(key, simulated))",
+};
+
+constexpr std::array<std::span<const char* const>, 6> kSteps{kSites,     kJournal,   kBackdrops,
+                                                             kRevisions, kLegSpeeds, kMagneticMaps};
 
 constexpr int kApplicationId = 0x54455353;  // "TESS", by which `file` and this program know their own
 

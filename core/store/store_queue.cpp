@@ -10,6 +10,14 @@ namespace {
 // before it is renamed. Nullptr: there is none.
 template <class Changes>
 SiteChange* replaceable(Changes& changes, const SiteChange& change) {
+  if (const auto* magnetic = std::get_if<KeepMagneticMap>(&change)) {
+    for (SiteChange& other : changes) {
+      const auto* waiting = std::get_if<KeepMagneticMap>(&other);
+      if (waiting != nullptr && waiting->key == magnetic->key && waiting->simulated == magnetic->simulated)
+        return &other;
+    }
+    return nullptr;
+  }
   const auto* keep = std::get_if<KeepSite>(&change);
   if (keep == nullptr) return nullptr;
   for (auto it = changes.rbegin(); it != changes.rend(); ++it) {

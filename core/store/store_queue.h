@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "floor/site_map.h"
+#include "locate/magnetic_map.h"
 #include "store/journal_entry.h"
 #include "store/revision_note.h"
 
@@ -45,7 +46,14 @@ struct CopyRevisions {
   std::string from;
   std::string to;
 };
-using SiteChange = std::variant<KeepSite, SetDiffers, RenameSite, RemoveSite, AddRevision, CopyRevisions>;
+struct KeepMagneticMap {
+  std::string key;
+  bool simulated = false;
+  std::shared_ptr<const locate::MagneticMap> map;
+  std::int64_t utcMs = 0;
+};
+using SiteChange =
+    std::variant<KeepSite, SetDiffers, RenameSite, RemoveSite, AddRevision, CopyRevisions, KeepMagneticMap>;
 
 struct LoadSite {
   std::string key;
@@ -86,7 +94,7 @@ public:
 
   // From any thread. False: it is closed, or, for requests, full.
 
-  /// A site that waits already under the same key makes way for its newer state.
+  /// A site or a magnetic map that waits already under the same key makes way for its newer state.
   bool change(SiteChange change);
   /// When there are too many the oldest of the least severe go, and are counted.
   bool note(std::vector<Note> notes);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "store/journal.h"
+#include "store/magnetic_maps.h"
 
 namespace tessera::store {
 namespace {
@@ -110,6 +111,9 @@ private:
               return added ? Result<void>{} : tl::unexpected{added.error()};
             },
             [&](const CopyRevisions& c) { return Revisions{*database_}.copy(c.from, c.to); },
+            [&](const KeepMagneticMap& c) {
+              return MagneticMaps{*database_}.save(c.key, c.simulated, *c.map, c.utcMs);
+            },
         },
         change);
   }
@@ -219,6 +223,11 @@ bool StoreThread::addRevision(std::string key, std::shared_ptr<const floor::Site
 
 bool StoreThread::copyRevisions(std::string from, std::string to) {
   return queue_.change(CopyRevisions{std::move(from), std::move(to)});
+}
+
+bool StoreThread::keepMagneticMap(std::string key, bool simulated, std::shared_ptr<const locate::MagneticMap> map,
+                                  std::int64_t utcMs) {
+  return queue_.change(KeepMagneticMap{std::move(key), simulated, std::move(map), utcMs});
 }
 
 bool StoreThread::appendEvents(std::vector<Note> notes) { return queue_.note(std::move(notes)); }

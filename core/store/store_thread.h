@@ -50,6 +50,8 @@ public:
   bool addRevision(std::string key, std::shared_ptr<const floor::SiteMap> map, RevisionNote note);
   /// As Revisions::copy().
   bool copyRevisions(std::string from, std::string to);
+  bool keepMagneticMap(std::string key, bool simulated, std::shared_ptr<const locate::MagneticMap> map,
+                       std::int64_t utcMs);
   bool appendEvents(std::vector<Note> notes);
 
   // Requests, from any thread; each gives the number under which its answer comes. 0: closed, or too many wait.
