@@ -221,6 +221,7 @@ void FleetSession::supervise(const host::PortChoice& port) {
   supervisor::Config config;
   // Nonces must never come twice; a seeded run would repeat the last one's.
   config.seed = QRandomGenerator::system()->generate64();
+  config.byMagneticMap = true;
   config.offeredKeys = offered_ = keys_.unknownTo(map_->site());
   auto supervisor = supervisor::Supervisor::create(map_, config);
   if (!supervisor) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "host/supervisor_thread.h"
+#include "store/magnetic_maps.h"
 #include "store/site_store.h"
 #include "supervisor/parameter_texts.h"
 #include "ui/base/wording.h"
@@ -186,6 +187,18 @@ void Keeper::takePage(const store::JournalPage& page) {
 
 void Keeper::addRevision(const store::RevisionNote& note) {
   if (!key_.empty()) store_->addRevision(key_, document_.map(), note);
+}
+
+Result<std::shared_ptr<const locate::MagneticMap>> Keeper::magneticMap(const std::string& key, bool simulated) {
+  // A connection of its own: vehicles are about to be located by it.
+  auto database = store::Database::open(databasePath().toStdString());
+  if (!database) return tl::unexpected{database.error()};
+  return store::MagneticMaps{**database}.load(key, simulated);
+}
+
+void Keeper::keepMagneticMap(const std::string& key, bool simulated, std::shared_ptr<const locate::MagneticMap> map) {
+  if (store::KeptSite{key}.file().empty()) return;
+  store_->keepMagneticMap(key, simulated, std::move(map), QDateTime::currentMSecsSinceEpoch());
 }
 
 quint64 Keeper::listRevisions() { return store_->listRevisions(key_); }

@@ -58,6 +58,11 @@ public:
   void readDay(const ui::JournalDay& day);
   /// The open site as it stands now becomes a revision of its file.
   void addRevision(const store::RevisionNote& note);
+  /// What was learned of the iron in the floor that is kept under this key; null: nothing. Error: it cannot be read.
+  [[nodiscard]] static Result<std::shared_ptr<const locate::MagneticMap>> magneticMap(const std::string& key,
+                                                                                      bool simulated);
+  /// Of a site without a file nothing is kept.
+  void keepMagneticMap(const std::string& key, bool simulated, std::shared_ptr<const locate::MagneticMap> map);
   /// Each gives the number under which its answer comes; 0: it cannot be asked just now.
   quint64 listRevisions();
   quint64 loadRevision(qint64 id);

@@ -22,6 +22,7 @@
 #include "app/tessera/backdrop_desk.h"
 #include "app/tessera/fleet_session.h"
 #include "app/tessera/keeper.h"
+#include "app/tessera/magnetic_desk.h"
 #include "app/tessera/register_desk.h"
 #include "app/tessera/revision_desk.h"
 #include "app/tessera/site_files.h"
@@ -97,6 +98,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow{parent} {
   joinBackdrop();
   joinTileCheck();
   joinLocating();
+  joinMagnetic();
   joinCalibration();
   joinPanels();
   joinLooking();
@@ -110,6 +112,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow{parent} {
 
 MainWindow::~MainWindow() {
   session_->close();
+  magnetic_.reset();  // it hands what was learned last to the keeper
   register_.reset();  // it asks the keeper
   revisions_.reset();
   backdrop_.reset();

@@ -42,6 +42,7 @@ class BackdropDesk;
 class ExchangeFiles;
 class FleetSession;
 class Keeper;
+class MagneticDesk;
 class RegisterDesk;
 class RevisionDesk;
 class SiteFiles;
@@ -62,6 +63,7 @@ public:
   [[nodiscard]] ui::FloorCanvas& canvas() { return *canvas_; }
   [[nodiscard]] RegisterDesk& registerDesk() { return *register_; }
   [[nodiscard]] BackdropDesk& floorPlan() { return *backdrop_; }
+  [[nodiscard]] MagneticDesk& magneticDesk() { return *magnetic_; }
   [[nodiscard]] ui::TileWatch& tileWatch() { return *tileWatch_; }
   [[nodiscard]] Keeper& keeper() { return *keeper_; }
 
@@ -107,6 +109,7 @@ private:
   void joinBackdrop();
   void joinTileCheck();
   void joinLocating();
+  void joinMagnetic();
   void joinCalibration();
   void layTiles();
   void editTileTypes();
@@ -146,6 +149,7 @@ private:
   std::unique_ptr<RegisterDesk> register_;
   std::unique_ptr<RevisionDesk> revisions_;
   std::unique_ptr<BackdropDesk> backdrop_;
+  std::unique_ptr<MagneticDesk> magnetic_;
   std::unique_ptr<ui::LayTool> layTool_;
   WindowPanels* panels_;
   ui::StopAllButton* stopAll_;

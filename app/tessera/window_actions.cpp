@@ -56,6 +56,7 @@ void WindowActions::makeAll() {
   uncertainty = make("layerUncertainty", nullptr, {}, true);
   grid = make("layerGrid", nullptr, {}, true);
   faults = make("layerFaults", nullptr, {}, true);
+  iron = make("layerIron", nullptr, {}, true);
   browse = make("browse", "pan", QKeySequence{Qt::CTRL | Qt::Key_B}, true);
   editRoutes = make("editRoutes", "select", QKeySequence{Qt::CTRL | Qt::Key_E}, true);
   drawRoute = make("drawRoute", "route", QKeySequence{Qt::CTRL | Qt::Key_R}, true);
@@ -67,6 +68,7 @@ void WindowActions::makeAll() {
   locating = make("locating", "locating", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_L});
   calibrate = make("calibrate", "calibrate", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_K});
   compass = make("compass", "compass", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_M});
+  forgetIron = make("forgetIron");
   registerTags = make("registerTags", "tag", QKeySequence{Qt::CTRL | Qt::Key_T}, true);
   floorPlan = make("floorPlan", "plan", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_P}, true);
   layTiles = make("layTiles", "tile", QKeySequence{Qt::CTRL | Qt::SHIFT | Qt::Key_T}, true);
@@ -103,14 +105,14 @@ void WindowActions::fillMenus(QMainWindow& window) {
   edit_->addSeparator();
   edit_->addActions({editZones, drawZone});
   edit_->addSeparator();
-  edit_->addActions({tileTypes, registerTags, floorPlan});
+  edit_->addActions({tileTypes, registerTags, floorPlan, forgetIron});
   view_ = bar->addMenu(QString{});
   view_->addActions({zoomIn, zoomOut, fit, follow});
   view_->addSeparator();
   view_->addActions({find, measure, locating});
   view_->addSeparator();
   layers_ = view_->addMenu(QString{});
-  layers_->addActions({backdrop, tags, zones, trails, uncertainty, grid, faults});
+  layers_->addActions({backdrop, tags, zones, trails, uncertainty, grid, faults, iron});
   panels = view_->addMenu(QString{});
   view_->addSeparator();
   language_ = view_->addMenu(ui::icon(QStringLiteral("language")), QString{});

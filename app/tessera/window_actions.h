@@ -25,10 +25,10 @@ public:
   QAction *importFile, *exportFile, *mapPicture;
   QAction *undo, *redo;
   QAction *find, *measure;
-  QAction *zoomIn, *zoomOut, *fit, *follow, *backdrop, *tags, *zones, *trails, *uncertainty, *grid, *faults;
+  QAction *zoomIn, *zoomOut, *fit, *follow, *backdrop, *tags, *zones, *trails, *uncertainty, *grid, *faults, *iron;
   QAction *drawRoute, *editRoutes, *layTiles, *tileTypes, *browse;
   QAction *drawZone, *editZones, *showFaults, *showRevisions;
-  QAction *registerTags, *floorPlan, *tileCheck, *locating, *calibrate, *compass;
+  QAction *registerTags, *floorPlan, *tileCheck, *locating, *calibrate, *compass, *forgetIron;
   QAction *connectPort, *disconnectPort, *radio;
   QAction *commission, *editVehicle, *jog, *stopAll;
   QAction *help, *about;

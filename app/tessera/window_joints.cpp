@@ -171,6 +171,7 @@ void MainWindow::joinActions() {
   layer(a.uncertainty, &ui::CanvasLayers::uncertainty);
   layer(a.grid, &ui::CanvasLayers::grid);
   layer(a.faults, &ui::CanvasLayers::faults);
+  layer(a.iron, &ui::CanvasLayers::iron);
   connect(actions_, &WindowActions::languageChosen, this, &MainWindow::setLanguage);
   connect(actions_, &WindowActions::appearanceChosen, this, &MainWindow::setAppearance);
   connect(a.recent, &QMenu::triggered, this, [this](QAction* action) { files_->open(action->data().toString()); });

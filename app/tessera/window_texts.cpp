@@ -45,6 +45,8 @@ void WindowActions::retranslate() {
   uncertainty->setText(tr("&Uncertainty"));
   grid->setText(tr("&Grid"));
   faults->setText(tr("&Faults"));
+  iron->setText(tr("&Iron in the floor"));
+  iron->setToolTip(tr("By how much iron turns compasses, as vehicles have learned it"));
   browse->setText(tr("&Look around"));
   editRoutes->setText(tr("&Change routes"));
   drawRoute->setText(tr("&Draw a route"));
@@ -58,6 +60,7 @@ void WindowActions::retranslate() {
   locating->setText(tr("Loc&ating of the vehicle…"));
   registerTags->setText(tr("Register &tags…"));
   floorPlan->setText(tr("Floor &plan…"));
+  forgetIron->setText(tr("Forget the &magnetic map…"));
   layTiles->setText(tr("Lay t&iles"));
   tileTypes->setText(tr("Tile t&ypes…"));
   connectPort->setText(tr("&Connect…"));

@@ -92,7 +92,8 @@ struct UseSite {
   bool operator==(const UseSite&) const = default;  ///< the same map, not an equal one
 };
 
-/// Go on with this magnetic map of the floor instead of the one learned so far; null: with an empty one.
+/// Go on with this magnetic map of the floor instead of the one learned so far; null: with an empty one. It is
+/// Snapshot::magnetic until something is learned.
 struct UseMagneticMap {
   std::shared_ptr<const locate::MagneticMap> map;
   bool operator==(const UseMagneticMap&) const = default;  ///< the same map, not an equal one

@@ -238,7 +238,8 @@ void Supervisor::Impl::useSite(const UseSite& order) {
 
 void Supervisor::Impl::useMagneticMap(const std::shared_ptr<const locate::MagneticMap>& map) {
   magnetic = map ? std::make_shared<locate::MagneticMap>(*map) : std::make_shared<locate::MagneticMap>();
-  magneticPicture = std::make_shared<locate::MagneticMap>(*magnetic);
+  // The very one that was given, so that whoever gave it knows when it is in use.
+  magneticPicture = map ? map : std::make_shared<const locate::MagneticMap>();
   for (VehicleAgent& a : agents) a.useMagneticMap(magnetic, config.byMagneticMap);
 }
 

@@ -165,6 +165,23 @@
     </message>
 </context>
 <context>
+    <name>tessera::ui::MagneticLayer</name>
+    <message numerus="yes">
+        <source>Iron turns the compass %1° to the right (± %2°, %n visit(s))</source>
+        <translation>
+            <numerusform>Iron turns the compass %1° to the right (± %2°, %n visit)</numerusform>
+            <numerusform>Iron turns the compass %1° to the right (± %2°, %n visits)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Iron turns the compass %1° to the left (± %2°, %n visit(s))</source>
+        <translation>
+            <numerusform>Iron turns the compass %1° to the left (± %2°, %n visit)</numerusform>
+            <numerusform>Iron turns the compass %1° to the left (± %2°, %n visits)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>tessera::ui::NewSiteDialog</name>
     <message numerus="yes">
         <source>%1 × %2 m, %n tag(s)</source>

@@ -2062,6 +2062,30 @@
         <source>the way along which unequal tyres are learned</source>
         <translation>学习左右轮胎差异所用的行程</translation>
     </message>
+    <message>
+        <source>These bytes are no magnetic map.</source>
+        <translation>这些字节不是磁场图。</translation>
+    </message>
+    <message>
+        <source>The magnetic map was made by another version of Tessera.</source>
+        <translation>磁场图由另一版本的 Tessera 生成。</translation>
+    </message>
+    <message>
+        <source>The magnetic map is cut short or too long.</source>
+        <translation>磁场图不完整或过长。</translation>
+    </message>
+    <message>
+        <source>The magnetic map is damaged.</source>
+        <translation>磁场图已损坏。</translation>
+    </message>
+    <message>
+        <source>The magnetic map has another grid than this version of Tessera.</source>
+        <translation>磁场图的网格与此版本的 Tessera 不同。</translation>
+    </message>
+    <message>
+        <source>The magnetic map holds numbers that no map has.</source>
+        <translation>磁场图中含有不可能的数值。</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>
@@ -2847,6 +2871,13 @@
     </message>
 </context>
 <context>
+    <name>tessera::desktop::MagneticDesk</name>
+    <message>
+        <source>What was learned of the iron in this floor cannot be read and is begun anew: %1</source>
+        <translation>此地面中铁的学习结果无法读取，将重新开始：%1</translation>
+    </message>
+</context>
+<context>
     <name>tessera::desktop::MainWindow</name>
     <message>
         <source>x %1 m, y %2 m</source>
@@ -2911,6 +2942,18 @@
     <message>
         <source>Connection › Connect… (Ctrl+K) takes the vehicles under supervision.</source>
         <translation>“连接 › 连接…”(Ctrl+K) 开始监控车辆。</translation>
+    </message>
+    <message>
+        <source>Forget the magnetic map</source>
+        <translation>清除磁场图</translation>
+    </message>
+    <message>
+        <source>Forget what vehicles have learned of the iron in this floor? This cannot be undone; they learn it anew as they drive.</source>
+        <translation>要清除车辆学到的此地面中的铁吗？此操作无法撤销；车辆会在行驶中重新学习。</translation>
+    </message>
+    <message>
+        <source>&amp;Forget</source>
+        <translation>清除(&F)</translation>
     </message>
 </context>
 <context>
@@ -3374,6 +3417,18 @@
     <message>
         <source>Calibrate the co&amp;mpass…</source>
         <translation>校准罗盘(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>&amp;Iron in the floor</source>
+        <translation>地面中的铁(&I)</translation>
+    </message>
+    <message>
+        <source>By how much iron turns compasses, as vehicles have learned it</source>
+        <translation>车辆学到的铁使指南针偏转的角度</translation>
+    </message>
+    <message>
+        <source>Forget the &amp;magnetic map…</source>
+        <translation>清除磁场图(&M)…</translation>
     </message>
 </context>
 <context>
@@ -5644,6 +5699,41 @@ x %2 m，y %3 m</translation>
     <message>
         <source>&amp;Remove the tag</source>
         <translation>删除标签(&amp;R)</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::MagneticLayer</name>
+    <message>
+        <source>Iron in the floor turns compasses by</source>
+        <translation>地面中的铁使指南针偏转</translation>
+    </message>
+    <message>
+        <source>Nothing is known of iron in the floor yet: drive over it to learn it.</source>
+        <translation>地面中的铁还一无所知：驾驶车辆驶过地面即可学习。</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>left %1</source>
+        <translation>左 %1</translation>
+    </message>
+    <message>
+        <source>right %1</source>
+        <translation>右 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Iron turns the compass %1° to the right (± %2°, %n visit(s))</source>
+        <translation>
+            <numerusform>铁使指南针右偏 %1°（± %2°，驶过 %n 次）</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Iron turns the compass %1° to the left (± %2°, %n visit(s))</source>
+        <translation>
+            <numerusform>铁使指南针左偏 %1°（± %2°，驶过 %n 次）</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -14,7 +14,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-FOLDERS = ["ui", "app/tessera", "core/base", "core/floor", "core/store", "core/sitecheck", "core/sitediff", "core/exchange", "core/scan", "core/tilecheck", "core/calibrate", "core/drive", "core/supervisor", "core/link", "core/host"]
+FOLDERS = ["ui", "app/tessera", "core/base", "core/floor", "core/store", "core/sitecheck", "core/sitediff", "core/exchange", "core/scan", "core/tilecheck", "core/calibrate", "core/locate", "core/drive", "core/supervisor", "core/link", "core/host"]
 FILES = {"tessera_en.ts": ["-pluralonly"], "tessera_zh_CN.ts": []}
 # /usr/bin/lupdate starts whichever Qt is the default one.
 LUPDATE = next((p for p in (shutil.which("lupdate6"), "/usr/lib/qt6/bin/lupdate") if p and Path(p).exists()), "lupdate")

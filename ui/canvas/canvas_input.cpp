@@ -237,6 +237,7 @@ void FloorCanvas::showToolTip(QPoint pixel, QPoint global) {
                  .arg(QString::fromStdString(tag.uid.text()), place(tag.place.x), place(tag.place.y));
     });
   }
+  if (text.isEmpty() && layers_.iron) text = magnetic_.textAt(view_.toSite(pixel));
   if (text.isEmpty()) {
     QToolTip::hideText();
   } else {

@@ -52,6 +52,12 @@ void FloorCanvas::setTileMarks(std::vector<TileMark> marks) {
   update();
 }
 
+void FloorCanvas::setMagneticMap(std::shared_ptr<const locate::MagneticMap> map) {
+  if (map == magnetic_.map()) return;
+  magnetic_.set(std::move(map));
+  if (layers_.iron) update();
+}
+
 void FloorCanvas::showPlace(const SiteBox& place) {
   if (place.empty()) return;
   follow(std::nullopt);

@@ -86,7 +86,9 @@ void FloorCanvas::paintEvent(QPaintEvent* event) {
     paintRulers(painter, view_, theme_);
   paintScaleBar(painter, view_, theme_);
   paintNorthArrow(painter, view_, theme_, map_->site().northToY);
-  if (!changes().empty()) paintChangeLegend(painter, view_, theme_, changes());
+  double below = 0.0;
+  if (!changes().empty()) below = paintChangeLegend(painter, view_, theme_, changes());
+  if (layers_.iron) magnetic_.paintLegend(painter, view_, theme_, below);
 }
 
 void FloorCanvas::paintLive(QPainter& painter, const QRegion& region) {
@@ -94,6 +96,7 @@ void FloorCanvas::paintLive(QPainter& painter, const QRegion& region) {
   const std::vector<VehicleMark> all = marks();
   sprites_.begin(view_, std::exchange(thorough_, false));
   painter.setRenderHint(QPainter::Antialiasing);
+  if (layers_.iron) magnetic_.paint(painter, view_, theme_);
   if (!tileMarks_.empty()) {
     painter.save();
     paintTileMarks(painter, view_, theme_, tileMarks_, region.boundingRect());

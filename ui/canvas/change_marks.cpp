@@ -187,7 +187,7 @@ void ChangeLayer::paint(QPainter& painter, const View& view, const CanvasTheme& 
   painter.drawPixmap(QPointF{}, picture_);
 }
 
-void paintChangeLegend(QPainter& painter, const View& view, const CanvasTheme& theme, const ChangeMarks& changes) {
+double paintChangeLegend(QPainter& painter, const View& view, const CanvasTheme& theme, const ChangeMarks& changes) {
   std::vector<ChangeLook> looks;
   for (const ChangeLook look : kLooks) {
     const auto has = [look](const auto& item) { return item.look == look; };
@@ -201,7 +201,7 @@ void paintChangeLegend(QPainter& painter, const View& view, const CanvasTheme& t
   const double sign = metrics.height() * 1.4;
   const double left = rulerBand(painter.font()).width() + pad;
   const double most = view.size().width() - left - 8 * metrics.height();  // the north arrow stands at the right
-  if (looks.empty() || most < 6 * metrics.height()) return;
+  if (looks.empty() || most < 6 * metrics.height()) return 0.0;
   double wide = metrics.horizontalAdvance(changes.title);
   for (const ChangeLook look : looks) wide = std::max(wide, sign + metrics.horizontalAdvance(changeLookText(look)));
   wide = std::min(wide, most - 2 * pad);
@@ -222,6 +222,7 @@ void paintChangeLegend(QPainter& painter, const View& view, const CanvasTheme& t
     painter.setPen(theme.text);
     painter.drawText(row.adjusted(sign, 0, 0, 0), Qt::AlignVCenter, changeLookText(look));
   }
+  return panel.bottom();
 }
 
 const ChangeMarks::Sign* changeAt(const ChangeMarks& changes, const View& view, QPointF pixel) {

@@ -51,8 +51,8 @@ private:
   bool dark_ = false;
 };
 
-/// Names the looks that occur, in the window's upper left corner.
-void paintChangeLegend(QPainter& painter, const View& view, const CanvasTheme& theme, const ChangeMarks& changes);
+/// Names the looks that occur, in the window's upper left corner. Gives how far down it reaches.
+double paintChangeLegend(QPainter& painter, const View& view, const CanvasTheme& theme, const ChangeMarks& changes);
 /// The sign alone, as in the legend and in lists.
 void paintChangeSign(QPainter& painter, const CanvasTheme& theme, ChangeLook look, QPointF at, double reach);
 /// "Added".

@@ -17,6 +17,7 @@
 #include "ui/canvas/fleet_layer.h"
 #include "ui/canvas/floor_marks.h"
 #include "ui/canvas/ground_layer.h"
+#include "ui/canvas/magnetic_layer.h"
 #include "ui/canvas/tile_marks.h"
 #include "ui/canvas/vehicle_sprites.h"
 
@@ -48,6 +49,9 @@ public:
   /// Which tiles were driven over, and what became of them; under the vehicles.
   void setTileMarks(std::vector<TileMark> marks);
   [[nodiscard]] const std::vector<TileMark>& tileMarks() const { return tileMarks_; }
+  /// What is known of the iron in the floor, drawn while the layer is shown. Null: nothing.
+  void setMagneticMap(std::shared_ptr<const locate::MagneticMap> map);
+  [[nodiscard]] const MagneticLayer& magnetic() const { return magnetic_; }
   /// Nullptr: none. The canvas does not own it; it must be taken off before it dies.
   void setOverlay(CanvasOverlay* overlay);
   [[nodiscard]] const CanvasOverlay* overlay() const { return overlay_; }
@@ -156,6 +160,7 @@ private:
   GroundLayer ground_;
   FleetLayer fleet_;
   VehicleSprites sprites_;
+  MagneticLayer magnetic_;
   std::vector<TileMark> tileMarks_;
   std::vector<FloorMark> marks_;
   std::optional<std::size_t> chosenMark_;

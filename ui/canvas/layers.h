@@ -12,6 +12,7 @@ struct CanvasLayers {
   bool uncertainty = true;
   bool grid = true;
   bool faults = true;
+  bool iron = false;  ///< MagneticLayer
   bool operator==(const CanvasLayers&) const = default;
 };
 

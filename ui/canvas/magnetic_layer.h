@@ -1,0 +1,43 @@
+// What vehicles have learned of the iron in the floor, drawn upon it: by how much it turns a compass, from blue (to the
+// right) to orange (to the left), the fainter the less is known.
+#pragma once
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <QPixmap>
+#include <QString>
+#include <memory>
+
+#include "ui/canvas/theme.h"
+#include "ui/canvas/view.h"
+
+namespace tessera::locate {
+class MagneticMap;
+}
+
+namespace tessera::ui {
+
+/// Keeps the map as a picture as long as view and map stay: vehicles that drive over it cost no more than without.
+class MagneticLayer {
+  Q_DECLARE_TR_FUNCTIONS(tessera::ui::MagneticLayer)
+public:
+  /// Null: nothing is known.
+  void set(std::shared_ptr<const locate::MagneticMap> map);
+  [[nodiscard]] const std::shared_ptr<const locate::MagneticMap>& map() const { return map_; }
+  void paint(QPainter& painter, const View& view, const CanvasTheme& theme);
+  /// In the window's upper left corner, or so many pixels below. Without a map: what to do to get one.
+  void paintLegend(QPainter& painter, const View& view, const CanvasTheme& theme, double below) const;
+  /// What is known of the place: deviation, its doubt, visits. Empty: nothing.
+  [[nodiscard]] QString textAt(Point place) const;
+  /// The deviation, in degrees, that has the strongest colour.
+  [[nodiscard]] double fullDegrees() const { return full_; }
+
+private:
+  std::shared_ptr<const locate::MagneticMap> map_;
+  double full_ = 5.0;
+  QPixmap picture_;
+  View view_;
+  bool dark_ = false;
+};
+
+}  // namespace tessera::ui
