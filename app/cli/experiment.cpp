@@ -1,11 +1,10 @@
 // `tessera-cli experiment`: drives routes in a simulated world, and judges the drive by what was true.
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
 #include "app/cli/exit_codes.h"
+#include "app/cli/magnetic_map_file.h"
 #include "app/cli/output.h"
 #include "app/cli/port_run.h"
 #include "app/cli/track_picture.h"
@@ -19,7 +18,6 @@
 #include "drive/route_follower.h"
 #include "floor/site_json.h"
 #include "locate/locator.h"
-#include "locate/magnetic_file.h"
 #include "sim/random_stream.h"
 #include "sim/site_bounds.h"
 
@@ -53,26 +51,6 @@ struct Plan {
   MetresPerSecond speed;
   Seconds limit;
 };
-
-// The floor's iron, as drives before have learned it; a file that is not there yet begins an empty one.
-Result<void> takeMagneticMap(const std::string& file, supervisor::Config& config) {
-  if (file.empty()) return {};
-  config.byMagneticMap = true;
-  if (!std::filesystem::exists(file)) return {};
-  std::ifstream in{file, std::ios::binary};
-  const std::vector<char> read{std::istreambuf_iterator<char>{in}, std::istreambuf_iterator<char>{}};
-  const std::vector<std::uint8_t> bytes{read.begin(), read.end()};
-  auto map = locate::magneticMapFrom(bytes);
-  if (!map) return failure(file + ": " + map.error().sentence.english());
-  config.magnetic = std::make_shared<locate::MagneticMap>(std::move(*map));
-  return {};
-}
-
-Result<void> keepMagneticMap(const std::string& file, const supervisor::Snapshot* last) {
-  if (file.empty() || last == nullptr || !last->magnetic) return {};
-  const std::vector<std::uint8_t> bytes = locate::bytesOf(*last->magnetic);
-  return experiment::writeWhole(file, std::string{bytes.begin(), bytes.end()});
-}
 
 Result<Plan> planOf(const ExperimentWords& words) {
   auto site = floor::loadSite(words.world.site);

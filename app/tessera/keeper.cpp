@@ -197,7 +197,9 @@ Result<std::shared_ptr<const locate::MagneticMap>> Keeper::magneticMap(const std
 }
 
 void Keeper::keepMagneticMap(const std::string& key, bool simulated, std::shared_ptr<const locate::MagneticMap> map) {
-  if (store::KeptSite{key}.file().empty()) return;
+  store::KeptSite site;
+  site.key = key;
+  if (site.file().empty()) return;
   store_->keepMagneticMap(key, simulated, std::move(map), QDateTime::currentMSecsSinceEpoch());
 }
 

@@ -6,15 +6,11 @@
 #include <type_traits>
 
 #include "link/channel.h"
+#include "supervisor/shared_magnetic_map.h"
 #include "supervisor/site_change.h"
 #include "supervisor/vehicle_agent.h"
 
 namespace tessera::supervisor {
-namespace {
-
-constexpr Seconds kMagneticPicture{1.0};  // between two pictures of the magnetic map
-
-}  // namespace
 
 struct Supervisor::Impl {
   Impl(std::shared_ptr<const floor::SiteMap> map, const Config& c, const link::ChannelConfig& channelConfig)
@@ -25,6 +21,7 @@ struct Supervisor::Impl {
   link::Channel channel;
   std::shared_ptr<traffic::Traffic> traffic;
   std::vector<VehicleAgent> agents;
+  SharedMagneticMap magnetic;
   std::vector<Order> orders;
   EventLog log;
   PortView port;
@@ -34,17 +31,10 @@ struct Supervisor::Impl {
   std::uint32_t noiseSinceHeard = 0;
   std::uint32_t foreignSinceHeard = 0;
   Seconds nextSnapshot{-std::numeric_limits<double>::infinity()};
-  /// One for all vehicles: read while they are told of reports, taught at the end of the tick.
-  std::shared_ptr<locate::MagneticMap> magnetic = std::make_shared<locate::MagneticMap>();
-  std::shared_ptr<const locate::MagneticMap> magneticPicture;
-  bool magneticChanged = false;  ///< since the picture
-  Seconds nextMagneticPicture{-std::numeric_limits<double>::infinity()};
 
   VehicleAgent* agent(VehicleId id);
   void carryOut(const Order& order);
   void useSite(const UseSite& order);
-  void useMagneticMap(const std::shared_ptr<const locate::MagneticMap>& map);
-  void learnMagneticMap(Seconds now);
   void hear(const link::LinkEvent& event, Seconds now);
   void hearNoise(const link::Noise& noise, Seconds now);
   void endEpisodes(Seconds now);
@@ -82,7 +72,7 @@ Result<Supervisor> Supervisor::create(std::shared_ptr<const floor::SiteMap> map,
   auto impl = std::make_unique<Impl>(map, config, channel);
   impl->traffic = traffic;
   impl->agents = std::move(agents);
-  impl->useMagneticMap(impl->config.magnetic);
+  impl->magnetic.use(impl->config.magnetic, impl->agents, impl->config.byMagneticMap);
   return Supervisor{std::move(impl)};
 }
 
@@ -142,7 +132,7 @@ TickOutput Supervisor::tick(Seconds now) {
   link::Channel::Output air = s.channel.poll(now);
   for (const link::LinkEvent& e : air.events) s.hear(e, now);
   s.endEpisodes(now);
-  s.learnMagneticMap(now);
+  s.magnetic.learn(s.agents, now);
 
   out.bytes = std::move(air.bytes);
   out.wake = std::min(air.wake, now + s.config.tick);
@@ -167,7 +157,8 @@ void Supervisor::Impl::carryOut(const Order& order) {
     return;
   }
   if (const auto* use = std::get_if<UseSite>(&order)) return useSite(*use);
-  if (const auto* known = std::get_if<UseMagneticMap>(&order)) return useMagneticMap(known->map);
+  if (const auto* floor = std::get_if<UseMagneticMap>(&order))
+    return magnetic.use(floor->map, agents, config.byMagneticMap);
   if (const auto* watch = std::get_if<Watch>(&order)) {
     for (VehicleAgent& a : agents) a.watch(a.id() == watch->who);
     return;
@@ -198,9 +189,9 @@ void Supervisor::Impl::carryOut(const Order& order) {
           Severity::Warning, EventKind::OrderRefused, id,
           phrase("Core", "%1: it is being given a key already, or too many requests are waiting.").with(a->name()));
   if (const auto* ask = std::get_if<Ask>(&order)) {
+    if (ask->request.type != wire::MessageType::Get) a->forgetCompass();
     // A Stop is repeated for as long as it holds, and would end the turn at once.
     const auto action = static_cast<wire::Action>(ask->request.parameter);
-    if (ask->request.type == wire::MessageType::Do && action == wire::Action::CalibrateCompass) a->forgetCompass();
     const bool moves = ask->request.type == wire::MessageType::Do &&
                        (action == wire::Action::CalibrateCompass || action == wire::Action::SurveyCompass);
     if (moves && !a->letGo(log)) return;
@@ -234,23 +225,6 @@ void Supervisor::Impl::useSite(const UseSite& order) {
   if (!otherZones) return;
   *traffic = {traffic::ZoneMap{site->site().zones}, {}};
   for (VehicleAgent& a : agents) a.useTraffic();
-}
-
-void Supervisor::Impl::useMagneticMap(const std::shared_ptr<const locate::MagneticMap>& map) {
-  magnetic = map ? std::make_shared<locate::MagneticMap>(*map) : std::make_shared<locate::MagneticMap>();
-  // The very one that was given, so that whoever gave it knows when it is in use.
-  magneticPicture = map ? map : std::make_shared<const locate::MagneticMap>();
-  for (VehicleAgent& a : agents) a.useMagneticMap(magnetic, config.byMagneticMap);
-}
-
-void Supervisor::Impl::learnMagneticMap(Seconds now) {
-  bool taught = false;
-  for (VehicleAgent& a : agents) taught = a.teach(*magnetic) || taught;
-  magneticChanged = magneticChanged || taught;
-  if (!magneticChanged || now < nextMagneticPicture) return;
-  magneticPicture = std::make_shared<locate::MagneticMap>(*magnetic);
-  magneticChanged = false;
-  nextMagneticPicture = now + kMagneticPicture;
 }
 
 void Supervisor::Impl::hear(const link::LinkEvent& event, Seconds now) {
@@ -318,7 +292,7 @@ std::shared_ptr<const Snapshot> Supervisor::Impl::picture(Seconds now) const {
     snapshot->vehicles.push_back(agent.view(now, port, channel.peer(agent.id())->quality));
   for (const VehicleAgent& agent : agents)
     if (auto watched = agent.locatingView()) snapshot->watched = std::move(watched);
-  snapshot->magnetic = magneticPicture;
+  snapshot->magnetic = magnetic.picture();
   return snapshot;
 }
 

@@ -65,7 +65,7 @@ public:
   void useMagneticMap(std::shared_ptr<const locate::MagneticMap> map, bool byIt);
   /// What its compass has taught since; to be called when nobody reads the map. True: something.
   bool teach(locate::MagneticMap& map) { return learner_.teach(map); }
-  /// Its compass is calibrated anew: what was learned of it no longer holds.
+  /// Its settings change or its compass is calibrated: what was learned of it may no longer hold.
   void forgetCompass() { learner_.restart(); }
   /// The site was edited; the vehicle itself is what it was.
   void use(std::shared_ptr<const floor::SiteMap> map);

@@ -2953,7 +2953,7 @@
     </message>
     <message>
         <source>&amp;Forget</source>
-        <translation>清除(&F)</translation>
+        <translation>清除(&amp;F)</translation>
     </message>
 </context>
 <context>
@@ -3420,7 +3420,7 @@
     </message>
     <message>
         <source>&amp;Iron in the floor</source>
-        <translation>地面中的铁(&I)</translation>
+        <translation>地面中的铁(&amp;I)</translation>
     </message>
     <message>
         <source>By how much iron turns compasses, as vehicles have learned it</source>
@@ -3428,7 +3428,7 @@
     </message>
     <message>
         <source>Forget the &amp;magnetic map…</source>
-        <translation>清除磁场图(&M)…</translation>
+        <translation>清除磁场图(&amp;M)…</translation>
     </message>
 </context>
 <context>

@@ -22,7 +22,7 @@ class IronInWindow : public DesktopTest {
 protected:
   void openFloor() {
     const QString path = home.filePath("floor.tessera.json");
-    if (!QFile::exists(path)) ASSERT_TRUE(QFile::copy(QStringLiteral(TESSERA_SITES "/paper.tessera.json"), path));
+    ASSERT_TRUE(QFile::exists(path) || QFile::copy(QStringLiteral(TESSERA_SITES "/paper.tessera.json"), path));
     ASSERT_NO_FATAL_FAILURE(openWindow(false));
     ASSERT_TRUE(window->files().open(path));
   }
@@ -31,8 +31,11 @@ protected:
   void learn(std::size_t nodes) {
     window->connectTo({});
     ASSERT_TRUE(until([&] { return vehicle().contact == supervisor::Contact::Connected && vehicle().located; }));
-    pressWhenOffered("runAction", Qt::Key_F5);
-    ASSERT_TRUE(until([&] { return iron().nodeCount() >= nodes; })) << vehicle().waits.english();
+    ASSERT_TRUE(until([&] { return find<QAction>("runAction")->isEnabled(); }));
+    trigger("runAction");
+    ASSERT_TRUE(until([&] { return vehicle().task == supervisor::Task::Running; })) << vehicle().waits.english();
+    ASSERT_TRUE(until([&] { return iron().nodeCount() >= nodes; }))
+        << iron().nodeCount() << " nodes after " << vehicle().progress.value() << " m " << vehicle().waits.english();
   }
   /// With the mouse, as a person finds it.
   void chooseInMenu(QMenu* menu, QAction* action) const {
