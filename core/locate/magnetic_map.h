@@ -40,7 +40,7 @@ struct MagneticValue {
 class MagneticMap {
 public:
   static constexpr Metres kSpacing{0.15};
-  static constexpr double kPriorSigma = 0.08;   ///< rad, of a floor that nobody has driven over; its mean is zero
+  static constexpr double kPriorSigma = 0.06;   ///< rad, of a floor that nobody has driven over; its mean is zero
   static constexpr double kLeastSigma = 0.015;  ///< rad; nothing is known better, so that floors may change
   static constexpr std::int32_t kFarthest = 1'000'000;  ///< columns and rows beyond are not kept
   static constexpr std::size_t kMostBlocks = 40'000;    ///< 5.7 ha
