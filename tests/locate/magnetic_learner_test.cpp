@@ -30,14 +30,14 @@ double ironAt(Point p) {
 /// Drives straight to and fro; each report measures the compass' error to 5°, apart from all others.
 struct Walker {
   MagneticLearner learner;
-  double own = 0.0;           ///< rad
-  double speed = 0.12;        ///< m/s
+  double own = 0.0;     ///< rad
+  double speed = 0.12;  ///< m/s
   double sigma = 5 * kDegree;
-  double wrongBy = 0.0;       ///< rad, added to what is measured
+  double wrongBy = 0.0;  ///< rad, added to what is measured
   std::mt19937 random{1};
   std::normal_distribution<double> normal{};
   double now = 0.0;
-  double error = 0.0;         ///< of the heading, as it is
+  double error = 0.0;  ///< of the heading, as it is
 
   void pass(MagneticMap& map, double x) {
     learner.interrupt();

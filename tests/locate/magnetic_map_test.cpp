@@ -55,7 +55,8 @@ TEST(AMagneticMap, settlesOnWhatManyVisitsSayAndOneWrongOneDoesLittle) {
   std::mt19937 random{1};
   std::normal_distribution<double> normal;
   const MagneticNode node{4, -9};
-  for (int i = 0; i < 20; ++i) ASSERT_TRUE(map.learn(node, (6.0 + 3.0 * normal(random)) * kOneDegree, squared(3 * kOneDegree)));
+  for (int i = 0; i < 20; ++i)
+    ASSERT_TRUE(map.learn(node, (6.0 + 3.0 * normal(random)) * kOneDegree, squared(3 * kOneDegree)));
   const MagneticValue before = map.at(node);
   EXPECT_NEAR(before.deviation, 6 * kOneDegree, 1.5 * kOneDegree);
   EXPECT_LT(std::sqrt(before.variance), 1.1 * kOneDegree);
