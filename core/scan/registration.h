@@ -78,6 +78,8 @@ public:
   /// Skipped places are to be visited after all.
   void takeUpSkipped();
   void pause() { pace_.pause(); }
+  /// What the last step registered; empty: the last step was another.
+  [[nodiscard]] const floor::TagUid& justRegistered() const { return last_; }
 
   /// One step back to where the last tag was registered, exchanged, skipped or its tile cleared. What is to be put into
   /// the site again, nothing after a skip. Where no step is left it goes to the previous place.

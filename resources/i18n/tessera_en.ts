@@ -65,17 +65,45 @@
 <context>
     <name>tessera::ui::ChangesDialog</name>
     <message numerus="yes">
-        <source>%n changes. They are made all together, as one step that can be undone.</source>
-        <translation>
-            <numerusform>%n change, made as one step that can be undone.</numerusform>
-            <numerusform>%n changes. They are made all together, as one step that can be undone.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>and %n more</source>
         <translation>
             <numerusform>and %n more</numerusform>
             <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln changes: %1. They are made all together, as one step that can be undone.</source>
+        <translation>
+            <numerusform>%Ln change: %1. It is made as one step that can be undone.</numerusform>
+            <numerusform>%Ln changes: %1. They are made all together, as one step that can be undone.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln new</source>
+        <translation>
+            <numerusform>%Ln new</numerusform>
+            <numerusform>%Ln new</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln changed</source>
+        <translation>
+            <numerusform>%Ln changed</numerusform>
+            <numerusform>%Ln changed</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln moved</source>
+        <translation>
+            <numerusform>%Ln moved</numerusform>
+            <numerusform>%Ln moved</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln removed</source>
+        <translation>
+            <numerusform>%Ln removed</numerusform>
+            <numerusform>%Ln removed</numerusform>
         </translation>
     </message>
 </context>
@@ -215,6 +243,16 @@
         <translation>
             <numerusform>%n reader still to try.</numerusform>
             <numerusform>%n readers still to try.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::Registrar</name>
+    <message numerus="yes">
+        <source>Taken back: %n tag(s)</source>
+        <translation>
+            <numerusform>Taken back: %n tag</numerusform>
+            <numerusform>Taken back: %n tags</numerusform>
         </translation>
     </message>
 </context>

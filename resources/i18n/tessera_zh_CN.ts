@@ -2982,6 +2982,10 @@
         <source>%1 is the open site&apos;s file. Choose another name.</source>
         <translation>%1 是当前场地的文件。请换一个名称。</translation>
     </message>
+    <message>
+        <source>Saved by somebody else</source>
+        <translation>由他人保存</translation>
+    </message>
 </context>
 <context>
     <name>tessera::desktop::ScanWorkbench</name>
@@ -3113,6 +3117,26 @@
         <translation>
             <numerusform>%1 另有 %n 处。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The file was changed</source>
+        <translation>文件已被更改</translation>
+    </message>
+    <message>
+        <source>Somebody else has changed %1 since it was opened or saved here (%2). What it holds now is kept as a revision if you overwrite it.</source>
+        <translation>自从在此打开或保存以来，%1 已被他人更改（%2）。若覆盖，其当前内容会保留为一个修订版本。</translation>
+    </message>
+    <message>
+        <source>Somebody else has changed %1 since it was opened or saved here (%2). It can be read no more, so that no revision can be kept of it.</source>
+        <translation>自从在此打开或保存以来，%1 已被他人更改（%2）。它已无法读取，因此不能保留为修订版本。</translation>
+    </message>
+    <message>
+        <source>Save under &amp;another name…</source>
+        <translation>以其他名称保存(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite it</source>
+        <translation>覆盖(&amp;O)</translation>
     </message>
 </context>
 <context>
@@ -3877,12 +3901,6 @@
         <source>The file says what the site has already: nothing would change.</source>
         <translation>文件内容与场地现有内容相同：不会有任何改变。</translation>
     </message>
-    <message numerus="yes">
-        <source>%n changes. They are made all together, as one step that can be undone.</source>
-        <translation>
-            <numerusform>%n 处改变。它们作为一步一起完成，可以撤销。</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Changes</source>
         <translation>改变</translation>
@@ -3900,6 +3918,41 @@
     <message>
         <source>&amp;Import</source>
         <translation>导入(&amp;I)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln changes: %1. They are made all together, as one step that can be undone.</source>
+        <translation>
+            <numerusform>%Ln 处改变：%1。它们作为一步一起完成，可以撤销。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln new</source>
+        <translation>
+            <numerusform>新增 %Ln</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln changed</source>
+        <translation>
+            <numerusform>修改 %Ln</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln moved</source>
+        <translation>
+            <numerusform>移动 %Ln</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln removed</source>
+        <translation>
+            <numerusform>移除 %Ln</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between totals</comment>
+        <translation>，</translation>
     </message>
 </context>
 <context>
@@ -5786,6 +5839,10 @@ x %2 m，y %3 m</translation>
         <source>Floor &amp;plan</source>
         <translation>平面图(&amp;P)</translation>
     </message>
+    <message>
+        <source>Serial &amp;numbers (too small at this scale)</source>
+        <translation>序列号（此比例下太小）(&amp;N)</translation>
+    </message>
 </context>
 <context>
     <name>tessera::ui::MeasureTool</name>
@@ -5873,14 +5930,6 @@ x %2 m，y %3 m</translation>
         <translation>尺寸：</translation>
     </message>
     <message>
-        <source>&amp;Practice tags, for simulated vehicles</source>
-        <translation>练习标签，用于模拟车辆(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Practice tags have made-up numbers, so that you can try everything in the simulated world. On a real floor leave this off: its tags get their numbers when they are read.</source>
-        <translation>练习标签使用虚构的编号，便于在演示环境中试用全部功能。实际场地请勿勾选：标签编号在读取时获得。</translation>
-    </message>
-    <message>
         <source>every place</source>
         <translation>逐位布置</translation>
     </message>
@@ -5913,6 +5962,14 @@ x %2 m，y %3 m</translation>
     <message>
         <source>no tiles yet</source>
         <translation>还没有地砖</translation>
+    </message>
+    <message>
+        <source>&amp;Practice floor: tags with made-up UIDs, for simulated vehicles</source>
+        <translation>练习场地：标签使用虚构的 UID，用于模拟车辆(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Made-up UIDs for all tags, and one vehicle, so that you can try everything in the simulated world. On a real floor leave this off: its tags get their UIDs when they are registered, and made-up ones are in the way.</source>
+        <translation>所有标签使用虚构的 UID，并有一辆车，便于在演示环境中试用全部功能。实际场地请勿勾选：标签的 UID 在登记时获得，虚构的 UID 会妨碍登记。</translation>
     </message>
 </context>
 <context>
@@ -6351,6 +6408,39 @@ x %2 m，y %3 m</translation>
     <message>
         <source>Hold the lit tag to the reader. Backspace: one back. Del: skip it. Double-click a tag: go on there. Esc: leave.</source>
         <translation>读取点亮的标签。Backspace：退回一个。Del：跳过。双击标签：从那里继续。Esc：离开。</translation>
+    </message>
+</context>
+<context>
+    <name>tessera::ui::Registrar</name>
+    <message>
+        <source>Only a part of a UID came: %1 was taken back. Hold the card again.</source>
+        <translation>只收到 UID 的一部分：%1 已撤回。请再读一次该卡。</translation>
+    </message>
+    <message>
+        <source>Only a part of a UID came: %1. Hold the card again.</source>
+        <translation>只收到 UID 的一部分：%1。请再读一次该卡。</translation>
+    </message>
+    <message>
+        <source>Skipped no longer: tag %1 of tile %2</source>
+        <translation>不再跳过：地板砖 %2 的标签 %1</translation>
+    </message>
+    <message>
+        <source>Taken back: %1</source>
+        <translation>已撤回：%1</translation>
+    </message>
+    <message>
+        <source>Taken back</source>
+        <translation>已撤回</translation>
+    </message>
+    <message numerus="yes">
+        <source>Taken back: %n tag(s)</source>
+        <translation>
+            <numerusform>已撤回：%n 个标签</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Skipped: tag %1 of tile %2</source>
+        <translation>已跳过：地板砖 %2 的标签 %1</translation>
     </message>
 </context>
 <context>
@@ -6818,10 +6908,6 @@ x %2 m，y %3 m</translation>
         <translation>此场地还没有车辆。请按向导设置一辆。</translation>
     </message>
     <message>
-        <source>&amp;Set up a vehicle…</source>
-        <translation>设置车辆(&amp;S)…</translation>
-    </message>
-    <message>
         <source>Choose a vehicle in the list or on the floor.</source>
         <translation>请在列表中或场地上选择车辆。</translation>
     </message>
@@ -6873,6 +6959,10 @@ x %2 m，y %3 m</translation>
         <source>S&amp;peed:</source>
         <translation>速度(&amp;P)：</translation>
     </message>
+    <message>
+        <source>Set up a vehicle…</source>
+        <translation>设置车辆…</translation>
+    </message>
 </context>
 <context>
     <name>tessera::ui::ScanPage</name>
@@ -6919,10 +7009,6 @@ x %2 m，y %3 m</translation>
     <message>
         <source>%1, %2 skipped</source>
         <translation>%1，跳过 %2</translation>
-    </message>
-    <message>
-        <source>%1. %2 a minute, about %3 min left</source>
-        <translation>%1。每分钟 %2 个，约剩 %3 分钟</translation>
     </message>
     <message>
         <source>Reader: types like a keyboard</source>
@@ -7031,6 +7117,26 @@ x %2 m，y %3 m</translation>
     <message>
         <source>Sounds</source>
         <translation>声音</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 分钟</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 小时 %2 分钟</translation>
+    </message>
+    <message>
+        <source>%1 of %2 read anew</source>
+        <translation>已重新读取 %1 / %2</translation>
+    </message>
+    <message>
+        <source>%1. %2 a minute, about %3 left</source>
+        <translation>%1。每分钟 %2 个，约剩 %3</translation>
+    </message>
+    <message>
+        <source>Another program is in front: what the reader types goes there. Click into this window.</source>
+        <translation>当前窗口是其他程序：读卡器输入的内容会进入那里。请点击本窗口。</translation>
     </message>
 </context>
 <context>
@@ -8440,16 +8546,16 @@ Speed %3 m/s, commanded %4 m/s</source>
         <translation>此场地还没有车辆。请按向导设置一辆。</translation>
     </message>
     <message>
-        <source>&amp;Set up a vehicle…</source>
-        <translation>设置车辆(&amp;S)…</translation>
-    </message>
-    <message>
-        <source>C&amp;onnect…</source>
-        <translation>连接(&amp;O)…</translation>
-    </message>
-    <message>
         <source>%1 % lost</source>
         <translation>丢失 %1 %</translation>
+    </message>
+    <message>
+        <source>Set &amp;up a vehicle…</source>
+        <translation>设置车辆(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>Co&amp;nnect…</source>
+        <translation>连接(&amp;N)…</translation>
     </message>
 </context>
 <context>

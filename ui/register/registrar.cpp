@@ -49,9 +49,12 @@ void Registrar::connectReader() {
     if (contact_ == Contact::Open && state_ == State::Scanning && !question.empty())
       bench_.send({reinterpret_cast<const char*>(question.data()), static_cast<qsizetype>(question.size())});
   });
+  // A read into a dialogue is held back from its fields and means nothing.
   connect(&keys_, &KeyboardReader::typed, this, [this](const QString& line) {
-    // A read into a dialogue is held back from its fields and means nothing.
     if (QApplication::activeModalWidget() == nullptr) take(ears_.line(line.toStdString()));
+  });
+  connect(&keys_, &KeyboardReader::torn, this, [this](const QString& piece, bool wasTyped) {
+    if (QApplication::activeModalWidget() == nullptr) refusePiece(piece, wasTyped);
   });
 }
 
@@ -117,6 +120,19 @@ void Registrar::take(const scan::Heard& heard) {
     case Verdict::Finished:
       return refuse({text(answer.sentence), answer.where, answer.verdict == Verdict::Elsewhere});
   }
+}
+
+void Registrar::refusePiece(const QString& piece, bool wasTyped) {
+  if (state_ != State::Scanning || !registration_) return;
+  question_.reset();
+  const scan::Heard heard = ears_.line(piece.toStdString());
+  const auto* read = std::get_if<scan::TagRead>(&heard);
+  const bool registered = wasTyped && read != nullptr && read->uid == registration_->justRegistered();
+  if (registered) back();
+  refuse({registered ? tr("Only a part of a UID came: %1 was taken back. Hold the card again.").arg(piece)
+                     : tr("Only a part of a UID came: %1. Hold the card again.").arg(piece),
+          {},
+          false});
 }
 
 void Registrar::accept(const floor::TagUid& uid) {

@@ -80,6 +80,8 @@ Q_SIGNALS:
 
 private:
   void connectReader();
+  /// wasTyped: as a read, which may stand in the site since.
+  void refusePiece(const QString& piece, bool wasTyped);
   void accept(const floor::TagUid& uid);
   /// Ours: the walk follows it by itself. False: it was refused, which has been told.
   bool edit(const std::function<Result<void>()>& what);

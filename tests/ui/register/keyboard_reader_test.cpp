@@ -22,7 +22,28 @@ protected:
 
   QLineEdit field;
   KeyboardReader reader;
+  void read(const char* line) {
+    QTest::keyClicks(&field, line);
+    QTest::keyClick(&field, Qt::Key_Return);
+  }
+  /// As the window system brings them: each with its own time, whenever they come here.
+  void keysAt(const char* keys, quint64 ms) {
+    for (const char* c = keys; *c != 0; ++c) {
+      const QChar key = QLatin1Char{*c};
+      QKeyEvent event{QEvent::KeyPress, key.toUpper().unicode(), Qt::NoModifier, QString{key}};
+      event.setTimestamp(ms++);
+      QCoreApplication::sendEvent(&field, &event);
+    }
+  }
+  [[nodiscard]] QStringList said() const {
+    QStringList all;
+    for (const auto& call : typed) all << call[0].toString();
+    for (const auto& call : torn) all << (call[1].toBool() ? "not " : "part ") + call[0].toString();
+    return all;
+  }
+
   QSignalSpy typed{&reader, &KeyboardReader::typed};
+  QSignalSpy torn{&reader, &KeyboardReader::torn};
 };
 
 TEST_F(KeysOfAReader, becomeAReadAndReachNoField) {
@@ -43,6 +64,78 @@ TEST_F(KeysOfAReader, areAReadWithoutEnterAsWell) {
   EXPECT_TRUE(typed.wait(5000));
   EXPECT_EQ(typed[0][0].toString(), "0077705923");
   EXPECT_EQ(field.text(), "");
+}
+
+TEST_F(KeysOfAReader, areNoReadWithoutEnterOnceEnterWasSent) {
+  read("04A1B2C3D4E5F6");
+  QTest::keyClicks(&field, "04A1B2C4");
+  ASSERT_TRUE(torn.wait(5000));
+  read("d4e5f6");
+  EXPECT_EQ(said(), (QStringList{"04A1B2C3D4E5F6", "part 04A1B2C4"})) << "the rest is told of no more";
+  read("04A1B2C4D4E5F6");
+  EXPECT_EQ(typed.count(), 2) << "the card held again";
+  EXPECT_EQ(field.text(), "");
+}
+
+TEST_F(KeysOfAReader, areNoReadWhereTheRestIsAsLongAsOne) {
+  read("04A1B2C3D4E5F6");
+  QTest::keyClicks(&field, "04A1B2");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return field.text() == "04A1B2"; })) << "a person's, for all that it knows";
+  read("C3D4E5F6");
+  EXPECT_EQ(said(), (QStringList{"04A1B2C3D4E5F6", "part C3D4E5F6"}));
+}
+
+TEST_F(KeysOfAReader, areOneReadOverAStall) {
+  read("04A1B2C3");
+  QTest::keyClicks(&field, "04A1B2C3");
+  QTest::qWait(KeyboardReader::kPauseMs + 60);
+  read("D4E5F6");
+  EXPECT_EQ(said(), (QStringList{"04A1B2C3", "04A1B2C3D4E5F6"}));
+}
+
+TEST_F(KeysOfAReader, areOneReadOverAStallOfTheProgram) {
+  QTest::keyClicks(&field, "04A1B2C3");
+  // The keys wait while the program is busy, as behind the window system's socket: whichever turn comes first.
+  QTimer late;
+  late.setSingleShot(true);
+  QObject::connect(&late, &QTimer::timeout, [&] { read("D4E5F6"); });
+  late.start(KeyboardReader::kReadPauseMs + 10);
+  QTest::qSleep(KeyboardReader::kReadPauseMs + 100);
+  ASSERT_TRUE(typed.wait(5000));
+  EXPECT_EQ(said(), QStringList{"04A1B2C3D4E5F6"});
+}
+
+TEST_F(KeysOfAReader, areTwoReadsByTheirOwnTimesWhenTheyCameAtOnce) {
+  keysAt("04A1B2C3", 5000);
+  keysAt("04A1B2C4", 6500);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return typed.count() == 2; }));
+  EXPECT_EQ(said(), (QStringList{"04A1B2C3", "04A1B2C4"}));
+}
+
+TEST_F(KeysOfAReader, areTakenBackWhereTheRestFollows) {
+  QTest::keyClicks(&field, "04A1B2C3");
+  ASSERT_TRUE(typed.wait(5000));
+  QTest::keyClicks(&field, "D4E5F6");
+  ASSERT_TRUE(torn.wait(5000));
+  EXPECT_EQ(said(), (QStringList{"04A1B2C3", "not 04A1B2C3"}));
+  EXPECT_EQ(field.text(), "");
+}
+
+TEST_F(KeysOfAReader, areTakenBackWhereItSendsEnterAfterAll) {
+  QTest::keyClicks(&field, "04A1B2C3");
+  ASSERT_TRUE(typed.wait(5000));
+  read("D4E5F6");
+  EXPECT_EQ(said(), (QStringList{"04A1B2C3", "not 04A1B2C3"}));
+  read("04A1B2C3D4E5F6");
+  EXPECT_EQ(typed.count(), 2);
+}
+
+TEST_F(KeysOfAReader, areTheNextCardsWhereTheyAreAsMany) {
+  for (const char* uid : {"04A1B2C3", "04A1B2C4", "04A1B2C5"}) {
+    QTest::keyClicks(&field, uid);
+    ASSERT_TRUE(typed.wait(5000));
+  }
+  EXPECT_EQ(said(), (QStringList{"04A1B2C3", "04A1B2C4", "04A1B2C5"}));
 }
 
 TEST_F(KeysOfAReader, leaveAPersonsKeysToTheirField) {

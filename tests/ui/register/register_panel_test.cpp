@@ -14,6 +14,35 @@ TEST_F(Counter, registersTheTagsOfTwoTilesByAReaderThatTypes) {
   EXPECT_FALSE(memory.course_) << "there is nothing to go on with";
 }
 
+TEST_F(Counter, registersNoPartOfAUid) {
+  click("startScan");
+  type("04A1B2C3D4E5F6");
+  const auto second = registrar.place();
+  QTest::keyClicks(QApplication::focusWidget(), "04A1B2C4");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return said("scanNotice").startsWith("Only a part"); }));
+  type("d4e5f6");
+  EXPECT_EQ(said("scanNotice"), "Only a part of a UID came: 04A1B2C4. Hold the card again.");
+  EXPECT_EQ(registered(), 1U);
+  EXPECT_EQ(registrar.place(), second);
+  type("04A1B2C4D4E5F6");
+  EXPECT_EQ(uids(0), (std::vector<std::string>{"04A1B2C3D4E5F6", "04A1B2C4D4E5F6"}));
+}
+
+TEST_F(Counter, takesAPartOfAUidBackThatAReaderWithoutEnterSent) {
+  click("startScan");
+  const auto first = registrar.place();
+  QTest::keyClicks(QApplication::focusWidget(), "04A1B2C3");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return registered() == 1; }));
+  QTest::keyClicks(QApplication::focusWidget(), "D4E5F6");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return registered() == 0; }));
+  EXPECT_EQ(said("scanNotice"), "Only a part of a UID came: 04A1B2C3 was taken back. Hold the card again.");
+  EXPECT_EQ(registrar.place(), first);
+  QTest::qWait(KeyboardReader::kRestMs + 100);
+  QTest::keyClicks(QApplication::focusWidget(), "04A1B2C3D4E5F6");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return registered() == 1; }));
+  EXPECT_EQ(uids(0), std::vector<std::string>{"04A1B2C3D4E5F6"});
+}
+
 TEST_F(Counter, registersByASerialReaderAndTellsWhichIsNext) {
   startWithPort();
   EXPECT_EQ(bench.opens, QStringList{"/dev/ttyTEST0 at 9600"});
