@@ -50,7 +50,7 @@ std::optional<std::size_t> Registration::openFrom(std::size_t stop) const {
   return std::nullopt;
 }
 
-void Registration::siteChanged(std::shared_ptr<const floor::SiteMap> map) {
+std::optional<std::vector<floor::TagUid>> Registration::siteChanged(std::shared_ptr<const floor::SiteMap> map) {
   const auto before = std::exchange(map_, std::move(map));
   if (!samePlaces(before->site(), site())) {
     const auto now = std::exchange(map_, before);
@@ -58,21 +58,23 @@ void Registration::siteChanged(std::shared_ptr<const floor::SiteMap> map) {
     map_ = now;
     done_.clear();
     rebuild();
-    return;
+    return std::nullopt;
   }
-  bool undone = false;
+  std::optional<std::vector<floor::TagUid>> undone;
   while (!done_.empty() && !stands(done_.back())) {
-    (void)takeOff();
-    undone = true;
+    if (!undone) undone.emplace();
+    for (const Done::Tag& tag : takeOff().tags)
+      if (!tag.after.empty() && tag.before != tag.after) undone->push_back(tag.after);
   }
   if (undone) {
     last_ = {};
-    return;
+    return undone;
   }
   // Registered by another way, a redo say.
   const bool filled =
       at_ && uidAt(before->site(), walk_[*at_]).empty() && !uidAt(site(), walk_[*at_]).empty() && !course_.again;
   if (filled || (!at_ && !course_.again)) at_ = openFrom(at_.value_or(0));
+  return std::nullopt;
 }
 
 // What differs on the tile of the place between the site as it was and as it is now.

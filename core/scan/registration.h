@@ -53,14 +53,17 @@ public:
 
   Registration(std::shared_ptr<const floor::SiteMap> map, Course course);
 
-  /// The site was edited, by whoever it was; a registration that was undone brings the walk back to its place.
-  void siteChanged(std::shared_ptr<const floor::SiteMap> map);
+  /// The site was edited, by whoever it was; a registration that was undone brings the walk back to its place. Returns
+  /// the tags that are registered no more thereby; nullopt: no registration was undone.
+  std::optional<std::vector<floor::TagUid>> siteChanged(std::shared_ptr<const floor::SiteMap> map);
   [[nodiscard]] const floor::Site& site() const { return map_->site(); }
 
   /// Nullptr: finished.
   [[nodiscard]] const Stop* stop() const { return at_ ? &walk_[*at_] : nullptr; }
   [[nodiscard]] const std::vector<Stop>& walk() const { return walk_; }
   [[nodiscard]] Course course() const;
+  /// Registered places as well.
+  [[nodiscard]] bool visitsAgain() const { return course_.again; }
 
   [[nodiscard]] Answer offer(const TagRead& read, Seconds now);
   /// The UID that was accepted, or confirmed, stands in the site at this place: onwards. In place of siteChanged().

@@ -194,8 +194,10 @@ void Registrar::sound(Sound sound) {
 
 void Registrar::documentChanged() {
   if (editing_ || !registration_) return;
-  registration_->siteChanged(document_.map());
+  const auto undone = registration_->siteChanged(document_.map());
   moved();
+  // A redo takes back what the last sentence said.
+  tell(undone ? takenBack(*undone) : QString{});
 }
 
 void Registrar::keep() {
@@ -223,16 +225,38 @@ void Registrar::setPaused(bool paused) {
 
 void Registrar::back() {
   if (!registration_) return;
+  const auto before = document_.map();
+  const std::size_t skipped = registration_->progress().skipped;
   const auto puts = registration_->back();
-  if (!puts.empty()) (void)edit([&] { return edits_.takeBack(puts); });
+  if (!puts.empty() && !edit([&] { return edits_.takeBack(puts); })) return;
   registration_->restored(document_.map());
   moved();
+  std::vector<floor::TagUid> gone;
+  for (const scan::Put& put : puts) {
+    const auto& uids = tileOf(before->site(), put.place.serial)->uids;
+    if (put.place.tag < uids.size() && !uids[put.place.tag].empty()) gone.push_back(uids[put.place.tag]);
+  }
+  if (!puts.empty()) return tell(takenBack(gone));
+  const auto here = place();
+  if (here && registration_->progress().skipped < skipped)
+    tell(tr("Skipped no longer: tag %1 of tile %2")
+             .arg(QString::number(here->tag + 1), QString::fromStdString(here->serial)));
 }
+
+QString Registrar::takenBack(const std::vector<floor::TagUid>& uids) {
+  if (uids.size() == 1) return tr("Taken back: %1").arg(QString::fromStdString(uids.front().text()));
+  return uids.empty() ? tr("Taken back") : tr("Taken back: %n tag(s)", nullptr, static_cast<int>(uids.size()));
+}
+
+void Registrar::tell(const QString& sentence) { Q_EMIT told(sentence); }
 
 void Registrar::skip() {
   if (!registration_) return;
+  const auto here = place();
   registration_->skip();
   moved();
+  if (here)
+    tell(tr("Skipped: tag %1 of tile %2").arg(QString::number(here->tag + 1), QString::fromStdString(here->serial)));
 }
 
 void Registrar::next() {

@@ -74,6 +74,8 @@ Q_SIGNALS:
   void changed();
   void accepted(const tessera::floor::TagUid& uid);
   void refused(const tessera::ui::Registrar::Refusal& refusal);
+  /// What another step did: one sentence. Empty: what was told last holds no longer.
+  void told(const QString& sentence);
   /// The reader's port is gone; one sentence.
   void lost(const QString& sentence);
   void found();
@@ -87,6 +89,8 @@ private:
   bool edit(const std::function<Result<void>()>& what);
   void onwards(const floor::TagUid& uid);
   void refuse(Refusal refusal);
+  [[nodiscard]] static QString takenBack(const std::vector<floor::TagUid>& uids);
+  void tell(const QString& sentence);
   void documentChanged();
   void keep();
   void moved();

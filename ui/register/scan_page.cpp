@@ -19,6 +19,7 @@ ScanPage::ScanPage(Registrar& registrar, QWidget* parent) : QWidget{parent}, reg
   connect(&registrar_, &Registrar::changed, this, &ScanPage::refresh);
   connect(&registrar_, &Registrar::accepted, this, &ScanPage::showAccepted);
   connect(&registrar_, &Registrar::refused, this, &ScanPage::showRefused);
+  connect(&registrar_, &Registrar::told, this, &ScanPage::showTold);
   connect(&registrar_, &Registrar::lost, this, [this](const QString& sentence) {
     forgetRefusal();
     notice_.show(Notice::Tone::Error, sentence);
@@ -180,6 +181,7 @@ void ScanPage::showContact() {
 }
 
 void ScanPage::forgetRefusal() {
+  told_ = false;
   refusal_.reset();
   asked_ = false;
   for (QWidget* button : {&where_, &exchange_, &anew_}) button->hide();
@@ -191,7 +193,15 @@ void ScanPage::showAccepted(const floor::TagUid& uid) {
   picture_.flash(TilePicture::Flash::Good);
 }
 
+void ScanPage::showTold(const QString& sentence) {
+  if (sentence.isEmpty() && !told_) return;
+  forgetRefusal();
+  notice_.show(Notice::Tone::Info, sentence);
+  told_ = !sentence.isEmpty();
+}
+
 void ScanPage::showRefused(const Registrar::Refusal& refusal) {
+  told_ = false;
   refusal_ = refusal;
   where_.setText(refusal.belongsThere ? tr("Go on there") : tr("Show it"));
   where_.setVisible(refusal.where.has_value());

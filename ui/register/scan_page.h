@@ -38,6 +38,7 @@ private:
   void showProgress();
   void showContact();
   void showAccepted(const floor::TagUid& uid);
+  void showTold(const QString& sentence);
   void showRefused(const Registrar::Refusal& refusal);
   void forgetRefusal();
   void readAnew();
@@ -51,6 +52,7 @@ private:
   QPushButton back_, skip_, pause_, end_, skipped_;
   QToolButton previous_, next_;
   QCheckBox sounds_;
+  bool told_ = false;   ///< the notice is what a step other than a read did
   bool asked_ = false;  ///< the refusal that is shown is a question
   std::optional<Registrar::Refusal> refusal_;
 };

@@ -96,6 +96,26 @@ TEST_F(Counter, goesBackSkipsAndMovesByKey) {
   EXPECT_NE(registrar.place(), second);
 }
 
+TEST_F(Counter, saysWhatWasTakenBackOrSkipped) {
+  startWithPort();
+  auto* page = find("scanPage");
+  for (const char* uid : {"04A1B2C3\r\n", "04A1B2C4\r\n", "04A1B2C5\r\n"}) bench.say(uid);
+  EXPECT_EQ(said("scanNotice"), "Registered: 04A1B2C5");
+  QTest::keyClick(page, Qt::Key_Backspace);
+  EXPECT_EQ(said("scanNotice"), "Taken back: 04A1B2C5");
+  const QString third = QStringLiteral("tag %1 of tile T-0001").arg(registrar.place()->tag + 1);
+  QTest::keyClick(page, Qt::Key_Delete);
+  EXPECT_EQ(said("scanNotice"), "Skipped: " + third);
+  QTest::keyClick(page, Qt::Key_Backspace);
+  EXPECT_EQ(said("scanNotice"), "Skipped no longer: " + third);
+  bench.say("04A1B2C6\r\n");
+  EXPECT_EQ(said("scanNotice"), "Registered: 04A1B2C6");
+  document.undoStack().undo();
+  EXPECT_EQ(said("scanNotice"), "Taken back: 04A1B2C6");
+  document.undoStack().redo();
+  EXPECT_FALSE(find<QLabel>("scanNotice")->isVisible());
+}
+
 TEST_F(Counter, takesTheStepsOfUndoAndRedoAlong) {
   startWithPort();
   const floor::Site empty = document.site();
