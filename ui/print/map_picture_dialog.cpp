@@ -94,7 +94,7 @@ SheetWish MapPictureDialog::wish() const {
   SheetWish wish;
   wish.scale = scale_->currentData().toDouble();
   wish.tags = tags_->isChecked();
-  wish.serials = serials_->isChecked();
+  wish.serials = serials_->isChecked() && serials_->isEnabled();
   wish.zones = zones_->isChecked();
   wish.routes = routes_->isChecked();
   wish.legend = legend_->isChecked();
@@ -108,13 +108,16 @@ void MapPictureDialog::look() {
   // At this size the dots of so many tags are one grey, and would take seconds to draw.
   if (shown.tags && map_->tags().size() > kMostShown) shown.tags = shown.serials = false;
   const MapSheet sheet{map_, shown};
+  const bool room = sheet.hasRoomForSerials() || map_->site().tiles.empty();
+  serials_->setEnabled(room);
+  serials_->setText(room ? tr("Serial &numbers") : tr("Serial &numbers (too small at this scale)"));
   const QLocale locale;
   const QSizeF mm = sheet.millimetres();
   size_->setText(
       tr("%1 × %2 cm").arg(locale.toString(mm.width() / 10.0, 'f', 1), locale.toString(mm.height() / 10.0, 'f', 1)));
   const double ratio = devicePixelRatioF();
-  const QSizeF room = QSizeF{picture_->size()} * ratio;
-  const double shrink = std::min({room.width() / sheet.size().width(), room.height() / sheet.size().height(), ratio});
+  const QSizeF place = QSizeF{picture_->size()} * ratio;
+  const double shrink = std::min({place.width() / sheet.size().width(), place.height() / sheet.size().height(), ratio});
   QImage image{(sheet.size() * shrink).toSize().expandedTo({1, 1}), QImage::Format_RGB32};
   image.setDotsPerMeterX(3780);  // 96 to the inch, as the sheet reckons
   image.setDotsPerMeterY(3780);

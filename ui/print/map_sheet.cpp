@@ -18,6 +18,7 @@ namespace {
 constexpr double kEdge = 24.0;
 constexpr double kLeastWidth = 420.0;
 constexpr Metres kAround{0.3};
+constexpr double kNarrowestSerial = 30.0;
 constexpr double kDotsPerUnitOfPlan = 300.0 / 96.0;  // of a picture on paper the eye sees no more
 
 class SheetText {
@@ -92,9 +93,20 @@ MapSheet::MapSheet(std::shared_ptr<const floor::SiteMap> map, const SheetWish& w
   if (shown_.empty()) shown_.add(Point{});
   shown_ = shown_.grown(kAround);
   const double perMetre = 1000.0 / wish_.scale * kUnitsPerMm;
+  // The name of a running zone stands above it.
+  const bool namesAbove = wish_.zones && kindsOf(site).contains(floor::ZoneKind::Running);
+  above_ = (namesAbove ? 3.75 : 2.5) * line_;
   const double below = wish_.legend ? (legendRows() + 0.5) * line_ : 0.0;
   size_ = {std::max(kLeastWidth, shown_.width().value() * perMetre + 2 * kEdge),
-           shown_.height().value() * perMetre + 2 * kEdge + 2.5 * line_ + below};
+           shown_.height().value() * perMetre + 2 * kEdge + above_ + below};
+}
+
+bool MapSheet::hasRoomForSerials() const {
+  const double perMetre = 1000.0 / wish_.scale * kUnitsPerMm;
+  const auto& tiles = index_.tiles();
+  return std::any_of(tiles.begin(), tiles.end(), [&](const FloorIndex::Tile& tile) {
+    return tile.box.width().value() * perMetre >= kNarrowestSerial;
+  });
 }
 
 std::size_t MapSheet::places() const {
@@ -110,8 +122,7 @@ void MapSheet::paint(QPainter& painter) const {
   painter.fillRect(QRectF{{}, size_}, Qt::white);
   paintTitle(painter);
   const double below = wish_.legend ? (legendRows() + 0.5) * line_ : 0.0;
-  const QRectF area{kEdge, kEdge + 2.5 * line_, size_.width() - 2 * kEdge,
-                    size_.height() - 2 * kEdge - 2.5 * line_ - below};
+  const QRectF area{kEdge, kEdge + above_, size_.width() - 2 * kEdge, size_.height() - 2 * kEdge - above_ - below};
   paintFloor(painter, area);
   if (wish_.legend) paintLegend(painter, {area.left(), area.bottom() + 0.5 * line_, area.width(), below});
 }
@@ -173,7 +184,7 @@ void MapSheet::paintTiles(QPainter& painter, const View& view, const CanvasTheme
       for (std::size_t n = 0; n < offsets.size(); ++n)
         tag(tile.origin + offsets[n], index_.isRegistered(tile.firstPlace + n));
     }
-    if (!wish_.serials || rect.width() < 30.0) continue;
+    if (!wish_.serials || rect.width() < kNarrowestSerial) continue;
     painter.setFont(small);
     painter.setPen(theme.serial);
     painter.drawText(

@@ -36,6 +36,8 @@ public:
   [[nodiscard]] QSizeF millimetres() const { return size_ / kUnitsPerMm; }
   /// Places that are drawn one by one; what makes a file of lines large.
   [[nodiscard]] std::size_t places() const;
+  /// False: every tile is too small at this scale for its serial number, and none is drawn.
+  [[nodiscard]] bool hasRoomForSerials() const;
   /// The painter's device has 96 logical dots per inch, so that its text has the size that was reckoned with.
   void paint(QPainter& painter) const;
 
@@ -53,7 +55,8 @@ private:
   FloorIndex index_;
   SiteBox shown_;
   QSizeF size_;
-  double line_;  ///< height of a line of text
+  double line_;   ///< height of a line of text
+  double above_;  ///< the floor, for the title
 };
 
 }  // namespace tessera::ui

@@ -15,6 +15,7 @@
 #include <cstdlib>
 
 #include "canvas_site.h"
+#include "floor/new_floor.h"
 #include "floor/site_json.h"
 #include "ui/print/map_picture_dialog.h"
 
@@ -138,6 +139,66 @@ TEST_F(Picture, thatCannotBeMadeLeavesTheOldFile) {
 
 TEST_F(Picture, ofAnEmptySiteIsASheetAsWell) {
   EXPECT_TRUE(saveSheet(MapSheet{floor::SiteMap::build({}).value(), {}}, path("empty.pdf")));
+}
+
+// Rows with something on them, from the top, as bands parted by white ones.
+std::vector<std::pair<int, int>> bandsOf(const QImage& image) {
+  std::vector<std::pair<int, int>> bands;
+  bool on = false;
+  for (int y = 0; y < image.height(); ++y) {
+    bool ink = false;
+    for (int x = 0; x < image.width() && !ink; ++x) ink = image.pixelColor(x, y) != QColor{Qt::white};
+    if (ink && !on) bands.emplace_back(y, y);
+    if (ink) bands.back().second = y;
+    on = ink;
+  }
+  return bands;
+}
+
+TEST_F(Picture, ofANewFloorHasItsZonesNameBelowTheScale) {
+  floor::Site site = floor::layNewFloor({"My floor", floor::usualTileTypes().front(), 12, 8, false}).value();
+  ASSERT_FALSE(site.zones.empty());
+  wish.scale = 200.0;
+  const auto drawn = [&](const floor::Site& one) {
+    const MapSheet sheet{floor::SiteMap::build(one).value(), wish};
+    QImage image{(2 * sheet.size()).toSize(), QImage::Format_RGB32};
+    image.setDotsPerMeterX(3780);
+    image.setDotsPerMeterY(3780);
+    QPainter painter{&image};
+    painter.scale(2.0, 2.0);
+    sheet.paint(painter);
+    return image;
+  };
+  const QImage named = drawn(site);
+  for (floor::Zone& zone : site.zones) zone.name.clear();
+  const QImage unnamed = drawn(site);
+  ASSERT_EQ(named.size(), unnamed.size());
+  const int scale = bandsOf(unnamed).at(1).second;
+  int first = 0;
+  const auto sameRow = [&](int y) {
+    for (int x = 0; x < named.width(); ++x)
+      if (named.pixel(x, y) != unnamed.pixel(x, y)) return false;
+    return true;
+  };
+  while (first < named.height() && sameRow(first)) ++first;
+  ASSERT_LT(first, named.height()) << "the name is drawn";
+  EXPECT_GT(first, scale);
+}
+
+TEST_F(Picture, saysWhereTilesAreTooSmallForTheirSerialNumbers) {
+  MapPictureDialog dialog{map, true};
+  dialog.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+  auto* serials = dialog.findChild<QCheckBox*>("pictureSerials");
+  auto* scale = dialog.findChild<QComboBox*>("pictureScale");
+  EXPECT_TRUE(serials->isEnabled());
+  EXPECT_TRUE(dialog.wish().serials);
+  QTest::keyClick(scale, Qt::Key_End);
+  EXPECT_FALSE(serials->isEnabled());
+  EXPECT_EQ(serials->text(), "Serial &numbers (too small at this scale)");
+  EXPECT_FALSE(dialog.wish().serials);
+  QTest::keyClick(scale, Qt::Key_Home);
+  EXPECT_TRUE(dialog.wish().serials);
 }
 
 TEST_F(Picture, isShownWithItsSizeBeforeItIsSaved) {
