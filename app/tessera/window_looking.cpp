@@ -4,6 +4,7 @@
 #include "app/tessera/window_actions.h"
 #include "ui/canvas/floor_canvas.h"
 #include "ui/find/find_box.h"
+#include "ui/find/place_search.h"
 #include "ui/measure/measure_tool.h"
 
 namespace tessera::desktop {
@@ -21,6 +22,9 @@ void MainWindow::joinLooking() {
   connect(a.find, &QAction::triggered, find_, &ui::FindBox::open);
   connect(find_, &ui::FindBox::chosen, this, [this](const ui::SiteBox& place) {
     canvas_->showPlace(place);
+    ui::SiteBox ring = place.grown(-1.0 * ui::kAroundFound);
+    ring.add(place.centre());  // of a tag nothing else is left
+    canvas_->setRing(ring);
     canvas_->setFocus();
   });
   connect(find_, &ui::FindBox::left, canvas_, [this] { canvas_->setFocus(); });

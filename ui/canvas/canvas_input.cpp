@@ -75,6 +75,7 @@ void FloorCanvas::wheelEvent(QWheelEvent* event) {
 
 void FloorCanvas::mousePressEvent(QMouseEvent* event) {
   lastAt_ = event->position();
+  if (!ring_.empty()) setRing({});
   const bool pans = event->button() == Qt::MiddleButton || (space_ && event->button() == Qt::LeftButton);
   if (!pans && openMarkMenu(*event)) return;
   if (!pans && tool_ && tool_->mousePressed(toolMouse(*event), toolScene())) return;
@@ -124,6 +125,7 @@ void FloorCanvas::leaveEvent(QEvent* /*event*/) {
 }
 
 void FloorCanvas::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && !ring_.empty()) return setRing({});
   if (tool_ && tool_->keyPressed(*event, toolScene())) return;
   const double step = event->modifiers().testFlag(Qt::ShiftModifier) ? 4 * kKeyPan : kKeyPan;
   switch (event->key()) {

@@ -58,6 +58,11 @@ void FloorCanvas::setMagneticMap(std::shared_ptr<const locate::MagneticMap> map)
   if (layers_.iron) update();
 }
 
+void FloorCanvas::setRing(const SiteBox& place) {
+  ring_ = place;
+  update();
+}
+
 void FloorCanvas::showPlace(const SiteBox& place) {
   if (place.empty()) return;
   follow(std::nullopt);

@@ -136,6 +136,12 @@ void FloorCanvas::paintLive(QPainter& painter, const QRegion& region) {
     paintMarks(painter, view_, theme_, marks_, chosenMark_, handlesOfTool());
     painter.restore();
   }
+  if (!ring_.empty()) paintRing(painter, view_, theme_, ring_);
+  if (tool_) {
+    painter.save();
+    tool_->paintAbove(painter, toolScene(), theme_);
+    painter.restore();
+  }
   const floor::Site& site = map_->site();
   if (index_->box().empty() && site.zones.empty() && site.routes.empty() && !site.backdrop && !tool_)
     paintEmpty(painter);

@@ -51,6 +51,8 @@ public:
   virtual void mouseLeft() {}
 
   virtual void paint(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme) = 0;
+  /// Texts that nothing may cover, signs of faults least of all.
+  virtual void paintAbove(QPainter& /*painter*/, const CanvasScene& /*scene*/, const CanvasTheme& /*theme*/) {}
   /// Marks that paint() shows: what they say is told under the mouse.
   [[nodiscard]] virtual std::span<const FloorMark> marks() const { return {}; }
   /// Something that can be grabbed lies here: a mark stands beside it.

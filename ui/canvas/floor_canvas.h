@@ -52,6 +52,9 @@ public:
   /// What is known of the iron in the floor, drawn while the layer is shown. Null: nothing.
   void setMagneticMap(std::shared_ptr<const locate::MagneticMap> map);
   [[nodiscard]] const MagneticLayer& magnetic() const { return magnetic_; }
+  /// Draws a ring around this place until the next click or Esc.
+  void setRing(const SiteBox& place);
+  [[nodiscard]] const SiteBox& ringed() const { return ring_; }
   /// Nullptr: none. The canvas does not own it; it must be taken off before it dies.
   void setOverlay(CanvasOverlay* overlay);
   [[nodiscard]] const CanvasOverlay* overlay() const { return overlay_; }
@@ -164,6 +167,7 @@ private:
   std::vector<TileMark> tileMarks_;
   std::vector<FloorMark> marks_;
   std::optional<std::size_t> chosenMark_;
+  SiteBox ring_;         ///< what was asked for; empty: nothing
   ToolMouse menuMouse_;  ///< that asked for a mark's menu
   ChangeLayer changes_;
   QPointer<CanvasTool> tool_;

@@ -10,6 +10,7 @@ namespace tessera::ui {
 namespace {
 
 constexpr double kFrameFrom = 14.0;  // pixels of a place that is large enough for a frame of its own
+constexpr double kRing = 14.0;       // pixels, around a smaller one
 constexpr double kBeside = 20.0;  // pixels to the right and up from a handle, or where there is no room left and down
 
 // A triangle for a warning, an octagon for an error, an exclamation mark in both: told apart without colours too.
@@ -88,6 +89,21 @@ void paintMarks(QPainter& painter, const View& view, const CanvasTheme& theme, c
   const QPointF at = signAt(view, mark, handle);
   paintTie(painter, view.toPixel(mark.place.centre()), at, theme, theme.accent);
   paintSign(painter, at, mark.severe, kMarkReach + 2, theme);
+}
+
+void paintRing(QPainter& painter, const View& view, const CanvasTheme& theme, const SiteBox& place) {
+  if (!place.touches(view.visible(20.0))) return;
+  painter.setRenderHint(QPainter::Antialiasing);
+  const bool framed = view.pixels(std::max(place.width(), place.height())) >= kFrameFrom;
+  for (const QPen& pen : {QPen{theme.halo, 6.0}, QPen{theme.accent, 3.0}}) {
+    if (framed) {
+      paintFrame(painter, view, place, pen);
+      continue;
+    }
+    painter.setPen(pen);
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(view.toPixel(place.centre()), kRing, kRing);
+  }
 }
 
 const FloorMark* markAt(std::span<const FloorMark> marks, const View& view, QPointF pixel, const HandleAt& handle) {

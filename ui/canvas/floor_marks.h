@@ -35,6 +35,8 @@ using HandleAt = std::function<bool(QPointF)>;
 /// chosen: index of the one that is looked at; it lies on top, with its place framed.
 void paintMarks(QPainter& painter, const View& view, const CanvasTheme& theme, const std::vector<FloorMark>& marks,
                 std::optional<std::size_t> chosen, const HandleAt& handle = {});
+/// Around what was asked for.
+void paintRing(QPainter& painter, const View& view, const CanvasTheme& theme, const SiteBox& place);
 /// The mark whose sign lies under the pixel, errors first; nullptr: none.
 [[nodiscard]] const FloorMark* markAt(std::span<const FloorMark> marks, const View& view, QPointF pixel,
                                       const HandleAt& handle = {});

@@ -11,8 +11,6 @@
 namespace tessera::ui {
 namespace {
 
-constexpr Metres kAround{0.5};
-
 struct Candidate {
   int rank = 0;  ///< the smaller the better
   FoundPlace place;
@@ -40,7 +38,7 @@ std::optional<FoundPlace> coordinates(const QString& text) {
   if (!x || !y || !(abs(at.x) <= Metres{1e6}) || !(abs(at.y) <= Metres{1e6})) return std::nullopt;
   SiteBox box;
   box.add(at);
-  return FoundPlace{FoundPlace::Kind::Coordinates, text.simplified(), box.grown(kAround)};
+  return FoundPlace{FoundPlace::Kind::Coordinates, text.simplified(), box.grown(kAroundFound)};
 }
 
 class Search {
@@ -64,7 +62,7 @@ private:
     const auto rank = rankOf(shown, wanted_);
     SiteBox box;
     for (const Point& p : points) box.add(p);
-    if (rank && !box.empty()) found_.push_back({*rank, {kind, shown, box.grown(kAround)}});
+    if (rank && !box.empty()) found_.push_back({*rank, {kind, shown, box.grown(kAroundFound)}});
   }
 
   void tags() {
@@ -81,7 +79,7 @@ private:
       box.add(tag.place);
       const std::string text = tag.uid.text();
       found_.push_back({text.size() == digits.size() ? 0 : 1,
-                        {FoundPlace::Kind::Tag, QString::fromStdString(text), box.grown(kAround)}});
+                        {FoundPlace::Kind::Tag, QString::fromStdString(text), box.grown(kAroundFound)}});
       if (found_.size() > 200) return;
     }
   }
@@ -113,7 +111,7 @@ private:
       box.add(area.low);
       box.add(area.high);
       const QString shown = QString::fromStdString(tile.serial);
-      found_.push_back({rankOf(shown, wanted_).value_or(2), {FoundPlace::Kind::Tile, shown, box.grown(kAround)}});
+      found_.push_back({rankOf(shown, wanted_).value_or(2), {FoundPlace::Kind::Tile, shown, box.grown(kAroundFound)}});
     }
   }
 

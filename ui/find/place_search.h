@@ -9,11 +9,14 @@
 
 namespace tessera::ui {
 
+/// So much of what is around it is shown with a place that was found.
+inline constexpr Metres kAroundFound{0.5};
+
 struct FoundPlace {
   enum class Kind { Coordinates, Tag, Tile, Zone, Route, Vehicle };
   Kind kind = Kind::Tile;
   QString name;
-  SiteBox box;
+  SiteBox box;  ///< grown by kAroundFound
 };
 
 /// At most `most`, the best first: coordinates ("1.2 3.4" or "1.2; 3.4" in metres), then what is called so, what begins

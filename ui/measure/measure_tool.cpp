@@ -157,11 +157,10 @@ void MeasureTool::paint(QPainter& painter, const CanvasScene& scene, const Canva
   }
   for (const QPointF& at : line) paintHandle(painter, at, 3.5, theme.halo, theme.accent);
   if (pointer_ && !complete_) paintSnap(painter, scene.view, theme, *pointer_);
-  paintTexts(painter, scene, theme, way);
 }
 
-void MeasureTool::paintTexts(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme,
-                             const std::vector<Point>& way) {
+void MeasureTool::paintAbove(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme) {
+  const std::vector<Point> way = shown();
   if (way.empty()) return;
   for (std::size_t n = 1; n < way.size(); ++n) {
     const QPointF a = scene.view.toPixel(way[n - 1]);

@@ -33,6 +33,7 @@ public:
   [[nodiscard]] bool wantsShortcut(const QKeyEvent& event) const override;
   void mouseLeft() override;
   void paint(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme) override;
+  void paintAbove(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme) override;
   [[nodiscard]] QCursor cursor() const override { return Qt::CrossCursor; }
   [[nodiscard]] QString hint() const override;
   bool cancel() override;
@@ -43,7 +44,6 @@ private:
   void complete();
   [[nodiscard]] Snap snapAt(const ToolMouse& mouse, const CanvasScene& scene) const;
   [[nodiscard]] std::vector<Point> shown() const;
-  void paintTexts(QPainter& painter, const CanvasScene& scene, const CanvasTheme& theme, const std::vector<Point>& way);
   void touch();
 
   std::vector<Point> points_;

@@ -42,6 +42,30 @@ TEST_F(Looking, goesToATileByItsSerialNumber) {
   const QPoint seen = pixelOf(corner.x.value() + 0.3, corner.y.value() + 0.3);
   EXPECT_LT((seen - window->canvas().rect().center()).manhattanLength(), 30) << "it is in the middle";
   EXPECT_TRUE(window->canvas().hasFocus());
+  const ui::SiteBox ring = window->canvas().ringed();
+  EXPECT_LT(distance(ring.low, corner), Metres{1e-6}) << "the tile, and nothing of its neighbours";
+  QTest::keyClick(&window->canvas(), Qt::Key_Escape);
+  EXPECT_TRUE(window->canvas().ringed().empty());
+}
+
+TEST_F(Looking, ringsWhatWasAskedForUntilTheNextClick) {
+  const std::string uid = site().tiles.front().uids.front().text();
+  const auto ink = [this](QPoint around) {
+    window->canvas().finishDrawing();
+    const QImage image = window->canvas().grab().toImage();
+    const double ratio = image.devicePixelRatio();
+    return image.copy(QRect{(QPointF{around - QPoint{20, 20}} * ratio).toPoint(), QSize{40, 40} * ratio});
+  };
+  press(Qt::Key_F, Qt::ControlModifier);
+  auto* text = find<QLineEdit>("findText");
+  ASSERT_TRUE(until([&] { return text->hasFocus(); }));
+  QTest::keyClicks(text, QString::fromStdString(uid));
+  QTest::keyClick(text, Qt::Key_Return);
+  const QPoint middle = window->canvas().rect().center();
+  const QImage ringed = ink(middle);
+  QTest::mouseClick(&window->canvas(), Qt::LeftButton, {}, middle + QPoint{0, 150});
+  EXPECT_TRUE(window->canvas().ringed().empty());
+  EXPECT_NE(ringed, ink(middle)) << "the ring is seen";
 }
 
 class LookingAtNothing : public DesktopTest {};

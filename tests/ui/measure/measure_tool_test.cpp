@@ -45,6 +45,39 @@ TEST_F(Measuring, addsUpTheStretchesAndTellsTheAreaBetweenTileCorners) {
   EXPECT_NEAR(tool.area(), 0.36, 1e-9);
 }
 
+TEST_F(Measuring, hasItsReadoutAboveTheSignsOfFaults) {
+  click(0.6, 0.6);
+  click(1.8, 0.6);
+  QTest::keyClick(&canvas, Qt::Key_Return);
+  const QImage before = canvas.grab().toImage();
+  // Where the readout stands, which is to the right of the last point and above it or below.
+  std::vector<FloorMark> marks;
+  for (const QPoint beside : {QPoint{40, 30}, QPoint{40, -30}}) {
+    const Point place = canvas.view().toSite(pixel(1.8, 0.6) + beside);
+    SiteBox box;
+    box.add(place);
+    FloorMark mark;
+    mark.place = box;
+    mark.severe = true;
+    marks.push_back(mark);
+  }
+  canvas.setMarks(marks, std::nullopt);
+  const QImage after = canvas.grab().toImage();
+  const auto differing = [&](QPoint middle) {
+    int count = 0;
+    for (int y = -6; y <= 6; ++y)
+      for (int x = -6; x <= 6; ++x) {
+        const QPoint at = (middle + QPoint{x, y}) * before.devicePixelRatio();
+        count += QColor{before.pixel(at)}.lightness() - QColor{after.pixel(at)}.lightness() > 60 ? 1 : 0;
+      }
+    return count;
+  };
+  const int below = differing(pixel(1.8, 0.6) + QPoint{40, 30});
+  const int above = differing(pixel(1.8, 0.6) + QPoint{40, -30});
+  EXPECT_EQ(std::min(below, above), 0) << "one of them lies beneath the readout: " << below << " " << above;
+  EXPECT_GT(std::max(below, above), 20) << "the other is seen";
+}
+
 TEST_F(Measuring, measuresADragFromEndToEnd) {
   QTest::mousePress(&canvas, Qt::LeftButton, {}, pixel(0.6, 0.6));
   QTest::mouseMove(&canvas, pixel(1.0, 1.0));
