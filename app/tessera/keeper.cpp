@@ -185,8 +185,8 @@ void Keeper::takePage(const store::JournalPage& page) {
   askForPage();
 }
 
-void Keeper::addRevision(const store::RevisionNote& note) {
-  if (!key_.empty()) store_->addRevision(key_, document_.map(), note);
+void Keeper::addRevision(const store::RevisionNote& note, const std::shared_ptr<const floor::SiteMap>& map) {
+  if (!key_.empty()) store_->addRevision(key_, map, note);
 }
 
 Result<std::shared_ptr<const locate::MagneticMap>> Keeper::magneticMap(const std::string& key, bool simulated) {

@@ -57,7 +57,9 @@ public:
   /// Asks for a day of the journal, which comes with dayRead() page by page, unless another one is asked for.
   void readDay(const ui::JournalDay& day);
   /// The open site as it stands now becomes a revision of its file.
-  void addRevision(const store::RevisionNote& note);
+  void addRevision(const store::RevisionNote& note) { addRevision(note, document_.map()); }
+  /// And so does what another program saved to its file.
+  void addRevision(const store::RevisionNote& note, const std::shared_ptr<const floor::SiteMap>& map);
   /// What was learned of the iron in the floor that is kept under this key; null: nothing. Error: it cannot be read.
   [[nodiscard]] static Result<std::shared_ptr<const locate::MagneticMap>> magneticMap(const std::string& key,
                                                                                       bool simulated);

@@ -87,6 +87,10 @@ void RevisionDesk::onSaved() {
   refresh();
 }
 
+void RevisionDesk::keepOther(const std::shared_ptr<const floor::SiteMap>& other, const QDateTime& when) {
+  keeper_.addRevision({when.toMSecsSinceEpoch(), "", tr("Saved by somebody else").toStdString(), false}, other);
+}
+
 void RevisionDesk::refresh() { list_ = keeper_.listRevisions(); }
 
 void RevisionDesk::exportTo(const floor::Site& site, const QDateTime& when) {

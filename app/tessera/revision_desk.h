@@ -25,6 +25,8 @@ public:
   [[nodiscard]] ui::RevisionPanel& panel() { return *panel_; }
   /// The site was saved to its file. After Keeper::onSaved().
   void onSaved();
+  /// Somebody else saved this into the site's file, which is about to be overwritten.
+  void keepOther(const std::shared_ptr<const floor::SiteMap>& other, const QDateTime& when);
 
 private:
   void onOpened();

@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStandardPaths>
@@ -84,7 +85,14 @@ bool SiteFiles::create() {
   return true;
 }
 
+void SiteFiles::remember(const QString& path, std::shared_ptr<const floor::SiteMap> holds) {
+  const QFileInfo file{path};
+  seen_ = {path, file.lastModified(), file.size(), std::move(holds)};
+}
+
 bool SiteFiles::read(const QString& path) {
+  const QFileInfo before{path};
+  const Seen seen{path, before.lastModified(), before.size(), nullptr};
   auto map = mapFrom(path);
   if (!map) {
     tell(tr("The site could not be opened"), ui::text(map.error().sentence));
@@ -98,6 +106,8 @@ bool SiteFiles::read(const QString& path) {
   // Asked before anything is touched: until there is an answer, both stay as they are.
   const auto answer = unsaved ? askRecovery(path) : Recovery::Forget;
   if (answer == Recovery::Undecided) return false;
+  seen_ = seen;
+  seen_.holds = *map;
   document_.replace(*map, path);
   settings_.addRecent(path);
   settings_.setSite(path);
@@ -198,12 +208,57 @@ bool SiteFiles::saveAs() {
   return (!QFileInfo::exists(path) || replace()) && writeTo(path);
 }
 
+SiteFiles::Changed SiteFiles::askChanged(const QString& path) {
+  const QFileInfo file{path};
+  if (path != seen_.path || !file.exists() || (file.lastModified() == seen_.modified && file.size() == seen_.size))
+    return Changed::Overwrite;
+  const auto other = mapFrom(path);
+  // Touched, or put back from a copy.
+  if (other && seen_.holds && (*other)->site() == seen_.holds->site()) return Changed::Overwrite;
+  if (!unattended_) {
+    const QString name = file.fileName();
+    const QString when = QLocale{}.toString(file.lastModified(), QLocale::ShortFormat);
+    QMessageBox box{
+        QMessageBox::Warning, tr("The file was changed"),
+        other
+            ? tr("Somebody else has changed %1 since it was opened or saved here (%2). What it holds now is kept as a "
+                 "revision if you overwrite it.")
+                  .arg(name, when)
+            : tr("Somebody else has changed %1 since it was opened or saved here (%2). It can be read no more, so that "
+                 "no revision can be kept of it.")
+                  .arg(name, when),
+        QMessageBox::Cancel, above()};
+    box.setObjectName(QStringLiteral("changedQuestion"));
+    QAbstractButton* elsewhere = box.addButton(tr("Save under &another name…"), QMessageBox::AcceptRole);
+    QAbstractButton* overwrite = box.addButton(tr("&Overwrite it"), QMessageBox::DestructiveRole);
+    box.setDefaultButton(qobject_cast<QPushButton*>(elsewhere));
+    box.exec();
+    if (box.clickedButton() == elsewhere) return Changed::Elsewhere;
+    if (box.clickedButton() != overwrite) return Changed::Cancel;
+  }
+  if (other) Q_EMIT overwriting(*other, file.lastModified());
+  return Changed::Overwrite;
+}
+
 bool SiteFiles::writeTo(const QString& path) {
+  switch (askChanged(path)) {
+    case Changed::Elsewhere:
+      return saveAs();
+    case Changed::Cancel:
+      return false;
+    case Changed::Overwrite:
+      break;
+  }
+  return write(path);
+}
+
+bool SiteFiles::write(const QString& path) {
   const WaitCursor wait;
   if (const auto saved = floor::saveSite(document_.site(), path.toStdString()); !saved) {
     tell(tr("The site could not be saved"), ui::text(saved.error().sentence));
     return false;
   }
+  remember(path, document_.map());
   document_.setPath(path);
   document_.markSaved();
   settings_.addRecent(path);

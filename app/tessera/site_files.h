@@ -1,6 +1,7 @@
 // Opening, saving and leaving sites, with the questions that a person must be asked on the way.
 #pragma once
 
+#include <QDateTime>
 #include <QObject>
 #include <QString>
 #include <functional>
@@ -51,7 +52,8 @@ public:
   };
   /// Given a path, the process of another copy of the program that has this site open; asked at each opening.
   void setSharing(std::function<std::optional<qint64>(const QString&)> sharing) { sharing_ = std::move(sharing); }
-  /// Nobody is there to answer: what an earlier run left unsaved is taken up, another copy's site is opened as well.
+  /// Nobody is there to answer: what an earlier run left unsaved is taken up, another copy's site is opened as well,
+  /// and a file that somebody else changed is overwritten, with what it held kept as a revision.
   void setUnattended() { unattended_ = true; }
   void setHomeless(std::function<std::vector<Homeless>()> homeless) { homeless_ = std::move(homeless); }
 
@@ -60,6 +62,8 @@ Q_SIGNALS:
   void opened();
   /// What stands in the document is what this file holds.
   void saved(const QString& path);
+  /// The open site's file is about to be overwritten, and holds what somebody else saved there at this time.
+  void overwriting(const std::shared_ptr<const tessera::floor::SiteMap>& other, const QDateTime& when);
   /// The changes to this file's site, or with an empty path to one that has none yet, shall be forgotten.
   void givenUp(const QString& path);
   /// The site in the document is the one that was kept under this key.
@@ -70,6 +74,11 @@ Q_SIGNALS:
 private:
   bool read(const QString& path);
   bool writeTo(const QString& path);
+  bool write(const QString& path);
+  void remember(const QString& path, std::shared_ptr<const floor::SiteMap> holds);
+  enum class Changed { Overwrite, Elsewhere, Cancel };
+  /// What shall become of a file that somebody else has changed since it was read or written here.
+  [[nodiscard]] Changed askChanged(const QString& path);
   /// Undecided: the question was closed without an answer, as when the program has to end.
   enum class Recovery { TakeUp, Forget, Undecided };
   [[nodiscard]] Recovery askRecovery(const QString& path);
@@ -84,6 +93,14 @@ private:
   Settings& settings_;
   QWidget& window_;
   bool unattended_ = false;
+  /// A file as it was read or written here last.
+  struct Seen {
+    QString path;
+    QDateTime modified;
+    qint64 size = 0;
+    std::shared_ptr<const floor::SiteMap> holds;
+  };
+  Seen seen_;
   std::function<std::shared_ptr<const floor::SiteMap>(const QString&)> recovery_;
   std::function<std::optional<qint64>(const QString&)> sharing_;
   std::function<std::vector<Homeless>()> homeless_;

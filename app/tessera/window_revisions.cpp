@@ -16,6 +16,7 @@ void MainWindow::joinRevisions() {
   // Wide as its table is, it stands below the floor.
   QDockWidget* dock = panels_->addTool(*this, "revisionsDock", "revisions", &panel, "eventsDock");
   connect(files_, &SiteFiles::saved, revisions_.get(), &RevisionDesk::onSaved);
+  connect(files_, &SiteFiles::overwriting, revisions_.get(), &RevisionDesk::keepOther);
   connect(actions_->showRevisions, &QAction::triggered, this, [this, &panel] {
     panels_->bringForward(&panel);
     panel.setFocus();

@@ -31,6 +31,12 @@ protected:
     press(Qt::Key_S, Qt::ControlModifier);
     ASSERT_TRUE(until([&] { return table().model()->rowCount() == before + 1; }));
   }
+  /// After a dialogue, as the window's keys are the active window's.
+  void saveByKey() {
+    window->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    press(Qt::Key_S, Qt::ControlModifier);
+  }
   QTreeView& table() { return *find<QTreeView>("revisionTable"); }
   QListWidget& differences() { return *find<QListWidget>("revisionDifferences"); }
   QString cell(int row, int column) { return table().model()->index(row, column).data().toString(); }
@@ -83,6 +89,51 @@ TEST_F(SavedSites, areComparedOnTheFloorAndGoneBackTo) {
   EXPECT_TRUE(until([&] { return !window->canvas().changes().empty(); }));
   find<QDockWidget>("revisionsDock")->close();
   EXPECT_TRUE(window->canvas().changes().empty());
+}
+
+TEST_F(SavedSites, areNotOverwrittenUnaskedWhereSomebodyElseChangedThem) {
+  ASSERT_NO_FATAL_FAILURE(openDemoFloor());
+  const std::string path = window->document().path().toStdString();
+  floor::Site other = window->document().site();
+  other.name = "Somebody else's";
+  other.placements.pop_back();
+  drawRoute({{0.3, 0.3}, {0.3, 1.5}});
+  const floor::Site ours = window->document().site();
+  ASSERT_TRUE(floor::saveSite(other, path));
+  answerQuestion("changedQuestion", "Cancel");
+  ASSERT_NO_FATAL_FAILURE(saveByKey());
+  EXPECT_TRUE(window->isWindowModified());
+  EXPECT_EQ(floor::loadSite(path).value(), other);
+
+  const QString copy = home.filePath("ours.tessera.json");
+  answerQuestion("changedQuestion", "Save under another name…");
+  nameTheFile(copy);
+  ASSERT_NO_FATAL_FAILURE(saveByKey());
+  EXPECT_EQ(floor::loadSite(copy.toStdString()).value(), ours);
+  EXPECT_EQ(floor::loadSite(path).value(), other);
+
+  ASSERT_TRUE(floor::saveSite(other, copy.toStdString()));
+  ASSERT_TRUE(until([&] { return table().model()->rowCount() == 2; }));
+  answerQuestion("changedQuestion", "Overwrite it");
+  ASSERT_NO_FATAL_FAILURE(saveByKey());
+  EXPECT_EQ(floor::loadSite(copy.toStdString()).value(), ours);
+  ASSERT_TRUE(until([&] { return table().model()->rowCount() == 4; }));
+  EXPECT_EQ(cell(1, 2), "Saved by somebody else");
+  choose(1);
+  ASSERT_TRUE(until([&] { return find<QAction>("goBackToRevision")->isEnabled(); }));
+  trigger("goBackToRevision");
+  EXPECT_EQ(window->document().site(), other);
+}
+
+TEST_F(SavedSites, areOverwrittenUnaskedWhereTheirFileWasOnlyTouched) {
+  ASSERT_NO_FATAL_FAILURE(openDemoFloor());
+  drawRoute({{0.3, 0.3}, {0.3, 1.5}});
+  QFile file{window->document().path()};
+  ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+  ASSERT_TRUE(file.setFileTime(QDateTime::currentDateTime().addSecs(60), QFileDevice::FileModificationTime));
+  file.close();
+  ASSERT_NO_FATAL_FAILURE(saveAndWait());
+  EXPECT_FALSE(window->isWindowModified());
 }
 
 TEST_F(SavedSites, keepTheirRevisionsOverAnotherStart) {
