@@ -24,7 +24,6 @@ NewSiteDialog::NewSiteDialog(QWidget* parent)
   for (QSpinBox* box : {&columns_, &rows_}) box->setRange(1, floor::NewFloor::kMost);
   columns_.setValue(5);
   rows_.setValue(4);
-  practice_.setChecked(true);
   practiceHint_.setWordWrap(true);
   const std::pair<QLabel*, QWidget*> rows[]{{&nameLabel_, &name_},
                                             {&typeLabel_, &type_},
@@ -79,10 +78,10 @@ void NewSiteDialog::retranslate() {
   rowsLabel_.setText(tr("Tiles &up (y):"));
   sizeLabel_.setText(tr("Size:"));
   empty_.setText(tr("&Empty floor: the tiles are laid by hand afterwards"));
-  practice_.setText(tr("&Practice tags, for simulated vehicles"));
+  practice_.setText(tr("&Practice floor: tags with made-up UIDs, for simulated vehicles"));
   practiceHint_.setText(
-      tr("Practice tags have made-up numbers, so that you can try everything in the simulated world. On a real floor "
-         "leave this off: its tags get their numbers when they are read."));
+      tr("Made-up UIDs for all tags, and one vehicle, so that you can try everything in the simulated world. On a real "
+         "floor leave this off: its tags get their UIDs when they are registered, and made-up ones are in the way."));
   const QLocale locale;
   int i = 0;
   for (const floor::TileType& t : floor::usualTileTypes()) {
