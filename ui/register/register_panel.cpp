@@ -9,15 +9,14 @@ RegisterPanel::RegisterPanel(Registrar& registrar, QWidget* parent)
     : QStackedWidget{parent}, registrar_{registrar}, setup_{new SetupPage{registrar}}, page_{new ScanPage{registrar}} {
   setObjectName(QStringLiteral("registerPanel"));
   setWindowTitle(tr("Register tags"));
-  // They scroll where there is no room: a panel must not make the window larger.
-  for (QWidget* page : std::initializer_list<QWidget*>{setup_, page_}) {
-    auto* scroll = new QScrollArea;
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(page);
-    addWidget(scroll);
-  }
+  // It scrolls where there is no room: a panel must not make the window larger.
+  auto* scroll = new QScrollArea;
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(setup_);
+  addWidget(scroll);
+  addWidget(page_);
   connect(setup_, &SetupPage::startRequested, &registrar_, &Registrar::start);
   connect(page_, &ScanPage::showRequested, this, &RegisterPanel::showRequested);
   connect(&registrar_, &Registrar::changed, this, &RegisterPanel::showState);

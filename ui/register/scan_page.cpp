@@ -1,16 +1,26 @@
 #include "ui/register/scan_page.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QGridLayout>
 #include <QKeyEvent>
 #include <QLocale>
+#include <QScrollArea>
 #include <QVBoxLayout>
+#include <QWindow>
 #include <algorithm>
 #include <cmath>
 
 #include "ui/base/icon.h"
 
 namespace tessera::ui {
+
+QString ScanPage::timeText(Seconds time) {
+  const QLocale locale;
+  const auto minutes = static_cast<long long>(std::ceil(time.value() / 60.0));
+  if (minutes < 60) return tr("%1 min").arg(locale.toString(minutes));
+  return tr("%1 h %2 min").arg(locale.toString(minutes / 60), locale.toString(minutes % 60));
+}
 
 ScanPage::ScanPage(Registrar& registrar, QWidget* parent) : QWidget{parent}, registrar_{registrar} {
   setObjectName(QStringLiteral("scanPage"));
@@ -47,6 +57,7 @@ ScanPage::ScanPage(Registrar& registrar, QWidget* parent) : QWidget{parent}, reg
   connect(&skipped_, &QPushButton::clicked, &registrar_, &Registrar::takeUpSkipped);
   connect(&previous_, &QToolButton::clicked, &registrar_, &Registrar::previous);
   connect(&next_, &QToolButton::clicked, &registrar_, &Registrar::next);
+  connect(qApp, &QGuiApplication::focusWindowChanged, this, &ScanPage::showWhetherHeard);
   retranslate();
 }
 
@@ -61,7 +72,7 @@ void ScanPage::build() {
       {&notice_, "scanNotice"},     {&where_, "scanWhere"},   {&bar_, "scanProgress"},      {&back_, "scanBack"},
       {&skip_, "scanSkip"},         {&pause_, "scanPause"},   {&end_, "scanEnd"},           {&skipped_, "scanSkipped"},
       {&previous_, "scanPrevious"}, {&next_, "scanNext"},     {&exchange_, "scanExchange"}, {&anew_, "scanAnew"},
-      {&sounds_, "scanSound"}};
+      {&sounds_, "scanSound"},      {&deaf_, "scanDeaf"}};
   for (const auto& [object, name] : names) object->setObjectName(QString::fromLatin1(name));
   back_.setIcon(icon(QStringLiteral("undo")));
   skip_.setIcon(icon(QStringLiteral("to-end")));
@@ -86,9 +97,12 @@ void ScanPage::build() {
   buttons->addWidget(&skip_, 0, 1);
   buttons->addWidget(&pause_, 1, 0);
   buttons->addWidget(&end_, 1, 1);
-  auto* column = new QVBoxLayout{this};
+  // What there is no room for scrolls; the buttons stay where they are.
+  auto* inner = new QWidget;
+  auto* column = new QVBoxLayout{inner};
   column->addLayout(head);
   column->addWidget(&detail_);
+  column->addWidget(&deaf_);
   column->addWidget(&picture_, 1);
   column->addWidget(&notice_);
   column->addWidget(&where_);
@@ -101,7 +115,18 @@ void ScanPage::build() {
   foot->addWidget(&contact_, 1);
   foot->addWidget(&sounds_);
   column->addLayout(foot);
-  column->addLayout(buttons);
+  auto* scroll = new QScrollArea;
+  scroll->setObjectName(QStringLiteral("scanScroll"));
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(inner);
+  auto* outer = new QVBoxLayout{this};
+  outer->setContentsMargins(0, 0, 0, 0);
+  outer->addWidget(scroll, 1);
+  buttons->setContentsMargins(column->contentsMargins());
+  outer->addLayout(buttons);
   for (QWidget* later : {&where_, &exchange_, &anew_, &skipped_}) later->hide();
 }
 
@@ -122,6 +147,7 @@ void ScanPage::refresh() {
     notice_.clear();
   }
   showContact();
+  showWhetherHeard();
   showProgress();
   if (!place) {
     title_.setText(tr("All done"));
@@ -148,19 +174,29 @@ void ScanPage::refresh() {
 void ScanPage::showProgress() {
   const auto p = registrar_.registration()->progress();
   const QLocale locale;
+  // Read once more, all of them may be registered from the beginning on.
+  const bool again = registrar_.registration()->visitsAgain();
+  const std::size_t done = again ? p.places - p.left : p.registered;
   bar_.setMaximum(static_cast<int>(std::max<std::size_t>(1, p.places)));
-  bar_.setValue(static_cast<int>(p.registered));
-  QString text = tr("%1 of %2 registered")
-                     .arg(locale.toString(static_cast<qulonglong>(p.registered)),
-                          locale.toString(static_cast<qulonglong>(p.places)));
+  bar_.setValue(static_cast<int>(done));
+  QString text =
+      (again ? tr("%1 of %2 read anew") : tr("%1 of %2 registered"))
+          .arg(locale.toString(static_cast<qulonglong>(done)), locale.toString(static_cast<qulonglong>(p.places)));
   if (p.skipped > 0) text = tr("%1, %2 skipped").arg(text, locale.toString(static_cast<qulonglong>(p.skipped)));
   if (p.perTag && p.timeLeft && *p.perTag > Seconds{}) {
     const double perMinute = std::round(60.0 / p.perTag->value());
-    const double minutes = std::ceil(p.timeLeft->value() / 60.0);
-    text = tr("%1. %2 a minute, about %3 min left")
-               .arg(text, locale.toString(perMinute, 'f', 0), locale.toString(minutes, 'f', 0));
+    text = tr("%1. %2 a minute, about %3 left").arg(text, locale.toString(perMinute, 'f', 0), timeText(*p.timeLeft));
   }
   count_.setText(text);
+}
+
+// Keys go to the window that is in front, whose ever it is.
+void ScanPage::showWhetherHeard() {
+  const bool deaf = registrar_.state() == Registrar::State::Scanning &&
+                    registrar_.contact() == Registrar::Contact::Keyboard && QApplication::activeWindow() == nullptr;
+  deaf_.show(
+      Notice::Tone::Warning,
+      deaf ? tr("Another program is in front: what the reader types goes there. Click into this window.") : QString{});
 }
 
 void ScanPage::showContact() {
@@ -279,6 +315,12 @@ void ScanPage::retranslate() {
   next_.setAccessibleName(tr("Next place"));
   next_.setToolTip(tr("Next place (Page Down)"));
   refresh();
+}
+
+bool ScanPage::event(QEvent* event) {
+  const bool done = QWidget::event(event);
+  if (event->type() == QEvent::WindowActivate || event->type() == QEvent::WindowDeactivate) showWhetherHeard();
+  return done;
 }
 
 void ScanPage::changeEvent(QEvent* event) {

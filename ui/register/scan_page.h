@@ -22,12 +22,15 @@ public:
   bool takeKey(const QKeyEvent& key);
   [[nodiscard]] static bool wantsKey(const QKeyEvent& key);
   [[nodiscard]] TilePicture& picture() { return picture_; }
+  /// A long time in words, rounded up to minutes.
+  [[nodiscard]] static QString timeText(Seconds time);
 
 Q_SIGNALS:
   /// Show this place on the floor, and leave the walk where it is.
   void showRequested(const tessera::scan::PlaceName& place);
 
 protected:
+  bool event(QEvent* event) override;
   void changeEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
@@ -37,6 +40,7 @@ private:
   void refresh();
   void showProgress();
   void showContact();
+  void showWhetherHeard();
   void showAccepted(const floor::TagUid& uid);
   void showTold(const QString& sentence);
   void showRefused(const Registrar::Refusal& refusal);
@@ -46,7 +50,7 @@ private:
   Registrar& registrar_;
   QLabel title_, detail_, contact_, count_;
   TilePicture picture_;
-  Notice notice_;
+  Notice deaf_, notice_;
   QPushButton where_, exchange_, anew_;
   QProgressBar bar_;
   QPushButton back_, skip_, pause_, end_, skipped_;

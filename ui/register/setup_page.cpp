@@ -62,14 +62,14 @@ SetupPage::SetupPage(Registrar& registrar, QWidget* parent) : QWidget{parent}, r
 void SetupPage::build() {
   intro_.setWordWrap(true);
   goOnText_.setWordWrap(true);
-  const std::pair<QObject*, const char*> names[] = {
-      {&reader_, "scanReader"},      {&port_, "scanPort"},
-      {&baud_, "scanBaud"},          {&form_, "scanForm"},
-      {&order_, "scanOrder"},        {&one_, "scanOneTile"},
-      {&tile_, "scanTile"},          {&again_, "scanAgain"},
-      {&sounds_, "scanSounds"},      {&start_, "startScan"},
-      {&goOn_, "goOnScanning"},      {&clearTile_, "clearTileTags"},
-      {&notice_, "scanSetupNotice"}, {&refreshPorts_, "scanRefreshPorts"}};
+  const std::pair<QObject*, const char*> names[] = {{&reader_, "scanReader"},      {&port_, "scanPort"},
+                                                    {&baud_, "scanBaud"},          {&form_, "scanForm"},
+                                                    {&order_, "scanOrder"},        {&one_, "scanOneTile"},
+                                                    {&tile_, "scanTile"},          {&again_, "scanAgain"},
+                                                    {&sounds_, "scanSounds"},      {&start_, "startScan"},
+                                                    {&goOn_, "goOnScanning"},      {&clearTile_, "clearTileTags"},
+                                                    {&notice_, "scanSetupNotice"}, {&refreshPorts_, "scanRefreshPorts"},
+                                                    {&goOnText_, "goOnText"}};
   for (const auto& [object, name] : names) object->setObjectName(QString::fromLatin1(name));
   for (QComboBox* box : {&reader_, &port_, &baud_, &form_, &order_}) shrinkable(*box);
   port_.setEditable(true);
@@ -143,7 +143,7 @@ void SetupPage::showWays() {
   const floor::Site& site = registrar_.document().site();
   const floor::Tile* tile = one_.isChecked() ? tileOf(site, serial().toStdString()) : nullptr;
   tile_.setEnabled(one_.isChecked());
-  again_.setEnabled(tile != nullptr);
+  again_.setEnabled(one_.isChecked() ? tile != nullptr : !site.tiles.empty());
   clearTile_.setEnabled(tile != nullptr && !tile->uids.empty());
 
   QString trouble;
@@ -158,14 +158,25 @@ void SetupPage::showWays() {
   notice_.show(Notice::Tone::Warning, trouble);
   start_.setEnabled(trouble.isEmpty());
 
-  const auto course = registrar_.memory().course();
-  const bool left = course && course->at && tileOf(site, course->at->serial) != nullptr;
+  const auto stop = whereToGoOn();
+  const bool left = stop.has_value();
   goOn_.setVisible(left);
   goOnText_.setVisible(left);
   goOn_.setEnabled(!site.tiles.empty() && (keyboard || !port_.currentText().trimmed().isEmpty()));
   if (left)
     goOnText_.setText(tr("Registering stopped at tag %1 of tile %2.")
-                          .arg(QString::number(course->at->tag + 1), QString::fromStdString(course->at->serial)));
+                          .arg(QString::number(stop->tag + 1), QString::fromStdString(stop->serial)));
+}
+
+// Where registering stopped, or where that place was filled meanwhile, by an import say, the next one that is open.
+std::optional<scan::PlaceName> SetupPage::whereToGoOn() const {
+  const floor::Site& site = registrar_.document().site();
+  const auto course = registrar_.memory().course();
+  const floor::Tile* tile = course && course->at ? tileOf(site, course->at->serial) : nullptr;
+  if (tile == nullptr) return std::nullopt;
+  const bool filled = course->at->tag < tile->uids.size() && !tile->uids[course->at->tag].empty();
+  if (!filled || course->again) return course->at;
+  return scan::Registration{registrar_.document().map(), *course}.course().at;
 }
 
 ReaderChoice SetupPage::chosen() const {
@@ -186,7 +197,7 @@ void SetupPage::start(bool goOn) {
   scan::Course course;
   course.order = static_cast<scan::WalkOrder>(std::max(0, order_.currentIndex()));
   if (one_.isChecked()) course.tile = serial().toStdString();
-  course.again = one_.isChecked() && again_.isChecked();
+  course.again = again_.isEnabled() && again_.isChecked();
   Q_EMIT startRequested(course, chosen());
 }
 

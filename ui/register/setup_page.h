@@ -40,6 +40,8 @@ private:
   void start(bool goOn);
   void clearTile();
   [[nodiscard]] ReaderChoice chosen() const;
+  /// Nullopt: nothing is left of what was begun.
+  [[nodiscard]] std::optional<scan::PlaceName> whereToGoOn() const;
   [[nodiscard]] QString serial() const { return tile_.text().trimmed(); }
 
   Registrar& registrar_;

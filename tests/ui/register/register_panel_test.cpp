@@ -116,6 +116,75 @@ TEST_F(Counter, saysWhatWasTakenBackOrSkipped) {
   EXPECT_FALSE(find<QLabel>("scanNotice")->isVisible());
 }
 
+TEST_F(Counter, readsAWholeFloorAnewWhoseTagsAreMadeUp) {
+  const floor::NewFloor practice{"f", floor::usualTileTypes().front(), 2, 1, true};
+  document.replace(floor::SiteMap::build(floor::layNewFloor(practice).value()).value(), {});
+  startWithPort();
+  EXPECT_EQ(said("scanTitle"), "All done");
+  click("scanEnd");
+  click("scanAgain");
+  startWithPort();
+  EXPECT_EQ(said("scanTitle"), "Tile T-0001");
+  bench.say("04A1B2C3\r\n04A1B2C4\r\n");
+  EXPECT_EQ(uids(0)[0], "04A1B2C3");
+  EXPECT_EQ(uids(0)[1], "04A1B2C4");
+  EXPECT_TRUE(said("scanCount").startsWith("2 of 16 read anew")) << said("scanCount").toStdString();
+}
+
+TEST_F(Counter, saysThatNothingIsLeftWhereAnImportFilledIt) {
+  startWithPort();
+  bench.say("04A1B2C3\r\n");
+  click("scanEnd");
+  ASSERT_TRUE(find<QPushButton>("goOnScanning")->isVisible());
+  const auto fill = [&](std::size_t tags) {
+    ASSERT_TRUE(document.edit("Import", [&](floor::Site& site) {
+      for (std::size_t tile = 0; tile < site.tiles.size(); ++tile) {
+        auto& uids = site.tiles[tile].uids;
+        uids.resize(std::max(uids.size(), tags));
+        for (std::size_t tag = 0; tag < tags; ++tag) {
+          const QString uid = QStringLiteral("05A1B2%1").arg(16 * tile + tag, 2, 16, QLatin1Char('0'));
+          if (uids[tag].empty()) uids[tag] = floor::TagUid::parse(uid.toStdString()).value();
+        }
+      }
+    }));
+  };
+  fill(7);
+  auto* text = find<QLabel>("goOnText");
+  EXPECT_EQ(text->text(), "Registering stopped at tag 8 of tile T-0001.");
+  fill(8);
+  EXPECT_FALSE(find<QPushButton>("goOnScanning")->isVisible());
+  EXPECT_FALSE(text->isVisible());
+}
+
+TEST_F(Counter, keepsItsButtonsInSightWhereThereIsLittleRoom) {
+  startWithPort();
+  panel.resize(420, 330);
+  bench.say("this is no UID at all and takes two lines\r\n");
+  for (const char* name : {"scanBack", "scanSkip", "scanPause", "scanEnd"}) {
+    auto* button = find<QPushButton>(name);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return button->visibleRegion().boundingRect() == button->rect(); })) << name;
+  }
+}
+
+TEST_F(Counter, saysWhenAReaderThatTypesGoesUnheard) {
+  click("startScan");
+  auto* deaf = find<QLabel>("scanDeaf");
+  EXPECT_FALSE(deaf->isVisible());
+  QApplication::setActiveWindow(nullptr);
+  EXPECT_TRUE(deaf->isVisible());
+  QApplication::setActiveWindow(&panel);
+  EXPECT_FALSE(deaf->isVisible());
+  click("scanEnd");
+  startWithPort();
+  QApplication::setActiveWindow(nullptr);
+  EXPECT_FALSE(deaf->isVisible()) << "a port is heard whatever is in front";
+}
+
+TEST_F(Counter, givesTheTimeLeftInHoursWhereItIsLong) {
+  EXPECT_EQ(ScanPage::timeText(Seconds{61.0}), "2 min");
+  EXPECT_EQ(ScanPage::timeText(Seconds{1563.0 * 60.0}), "26 h 3 min");
+}
+
 TEST_F(Counter, takesTheStepsOfUndoAndRedoAlong) {
   startWithPort();
   const floor::Site empty = document.site();
