@@ -5,6 +5,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/base/wording.h"
 
@@ -16,15 +17,31 @@ constexpr std::size_t kMostShown = 5000;
 
 }  // namespace
 
+QString ChangesDialog::totalsOf(const sitediff::Changes& changes) {
+  using sitediff::ChangeKind;
+  const auto count = [&](ChangeKind kind) {
+    return static_cast<int>(std::count_if(changes.begin(), changes.end(),
+                                          [&](const sitediff::Change& change) { return change.kind == kind; }));
+  };
+  QStringList parts;
+  if (const int n = count(ChangeKind::Added)) parts << tr("%Ln new", nullptr, n);
+  if (const int n = count(ChangeKind::Changed)) parts << tr("%Ln changed", nullptr, n);
+  if (const int n = count(ChangeKind::Moved)) parts << tr("%Ln moved", nullptr, n);
+  if (const int n = count(ChangeKind::Removed)) parts << tr("%Ln removed", nullptr, n);
+  return parts.join(tr(", ", "between totals"));
+}
+
 ChangesDialog::ChangesDialog(const exchange::Preview& preview, const QString& file, QWidget* parent) : QDialog{parent} {
   setObjectName(QStringLiteral("changesDialog"));
   setProperty("helpTopic", QStringLiteral("exchange"));
   setWindowTitle(tr("Import %1").arg(file));
   auto* column = new QVBoxLayout{this};
   const std::size_t count = preview.changes.size();
-  auto* head = new QLabel{count == 0 ? tr("The file says what the site has already: nothing would change.")
-                                     : tr("%n changes. They are made all together, as one step that can be undone.",
-                                          nullptr, static_cast<int>(count))};
+  auto* head =
+      new QLabel{count == 0 ? tr("The file says what the site has already: nothing would change.")
+                            : tr("%Ln changes: %1. They are made all together, as one step that can be undone.",
+                                 nullptr, static_cast<int>(count))
+                                  .arg(totalsOf(preview.changes))};
   head->setObjectName(QStringLiteral("changesHead"));
   head->setWordWrap(true);
   column->addWidget(head);

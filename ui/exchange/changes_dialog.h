@@ -12,6 +12,10 @@ class ChangesDialog : public QDialog {
 public:
   /// file: shown as the source.
   ChangesDialog(const exchange::Preview& preview, const QString& file, QWidget* parent = nullptr);
+
+private:
+  /// "1,997 new, 1 changed"
+  [[nodiscard]] static QString totalsOf(const sitediff::Changes& changes);
 };
 
 }  // namespace tessera::ui

@@ -5,6 +5,7 @@
 
 #include <QLabel>
 #include <QListWidget>
+#include <QLocale>
 #include <QPushButton>
 #include <QTest>
 
@@ -36,6 +37,14 @@ TEST(Changes, areListedAndTakenByEnter) {
   EXPECT_EQ(dialog.findChild<QListWidget*>("changesNotes")->item(0)->text(), QStringLiteral("A note."));
   QTest::keyClick(&dialog, Qt::Key_Return);
   EXPECT_EQ(dialog.result(), QDialog::Accepted);
+}
+
+TEST(Changes, areTotalledAboveTheirList) {
+  exchange::Preview preview = previewOf(1998);
+  for (std::size_t n = 0; n < 1997; ++n) preview.changes[n].kind = sitediff::ChangeKind::Added;
+  const ChangesDialog dialog{preview, QStringLiteral("tags.csv")};
+  const QString head = dialog.findChild<QLabel*>("changesHead")->text();
+  EXPECT_TRUE(head.contains(QStringLiteral("%1 new, 1 changed").arg(QLocale().toString(1997)))) << head.toStdString();
 }
 
 TEST(Changes, areNotTakenByEscape) {
