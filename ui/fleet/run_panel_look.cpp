@@ -158,7 +158,7 @@ void RunPanel::changeEvent(QEvent* event) {
 void RunPanel::retranslate() {
   if (document_.site().vehicles.empty()) {
     nobody_->setTexts(tr("This site has no vehicle yet. Set one up: the wizard leads through it."),
-                      tr("&Set up a vehicle…"));
+                      tr("Set up a vehicle…"));
   } else {
     nobody_->setTexts(tr("Choose a vehicle in the list or on the floor."));
   }

@@ -96,8 +96,8 @@ void VehicleTable::build() {
 void VehicleTable::retranslate() {
   view_->setAccessibleName(tr("Vehicles"));
   noVehicles_->setTexts(tr("This site has no vehicle yet. Set one up: the wizard leads through it."),
-                        tr("&Set up a vehicle…"));
-  connectButton_->setText(tr("C&onnect…"));
+                        tr("Set &up a vehicle…"));
+  connectButton_->setText(tr("Co&nnect…"));
   model_.refreshTexts();
   showWhatThereIs();
 }

@@ -57,6 +57,48 @@ TEST_F(Reach, givesOrdersByKeyWhileTheirPanelIsClosed) {
   EXPECT_TRUE(until([&] { return vehicle().task == Task::Stopped; }));
 }
 
+// What Alt and a letter reach at once: the menus and whatever is in sight beside them.
+QStringList lettersOfTwoMeanings(const QMainWindow& window) {
+  QMap<QString, QStringList> meant;
+  const auto note = [&](const QKeySequence& key, const QString& what) {
+    if (!key.isEmpty() && !meant[key.toString()].contains(what)) meant[key.toString()] << what;
+  };
+  for (const QAction* menu : window.menuBar()->actions()) note(QKeySequence::mnemonic(menu->text()), menu->text());
+  for (const QAbstractButton* button : window.findChildren<QAbstractButton*>())
+    if (button->isVisible() && !QKeySequence::mnemonic(button->text()).isEmpty())
+      note(button->shortcut(), button->objectName() + QLatin1Char{' '} + button->text());
+  for (const QLabel* label : window.findChildren<QLabel*>())
+    if (label->isVisible() && label->buddy() != nullptr) note(QKeySequence::mnemonic(label->text()), label->text());
+  QStringList twice;
+  for (auto it = meant.cbegin(); it != meant.cend(); ++it)
+    if (it->size() > 1) twice << it.key() + QStringLiteral(": ") + it->join(QStringLiteral(", "));
+  return twice;
+}
+
+TEST_F(Reach, givesNoLetterTwoMeaningsAtOnce) {
+  for (const char* language : {"en", "zh_CN"}) {
+    window->setLanguage(QString::fromLatin1(language));
+    for (const char* view : {"browse", "editRoutes", "editZones", "layTiles", "registerTags", "showFaults",
+                             "showRevisions", "floorPlan"}) {
+      trigger(view);
+      QApplication::processEvents();
+      EXPECT_EQ(lettersOfTwoMeanings(*window).join("; ").toStdString(), "") << language << " " << view;
+    }
+  }
+}
+
+TEST_F(Reach, givesNoLetterTwoMeaningsOnASiteWithoutVehicles) {
+  ASSERT_TRUE(window->document().edit("Without vehicles", [](floor::Site& site) {
+    site.vehicles.clear();
+    site.routes.clear();
+  }));
+  for (const char* language : {"en", "zh_CN"}) {
+    window->setLanguage(QString::fromLatin1(language));
+    QApplication::processEvents();
+    EXPECT_EQ(lettersOfTwoMeanings(*window).join("; ").toStdString(), "") << language;
+  }
+}
+
 TEST_F(Reach, leavesTheButtonsWhereTheyAreWhenADriveBegins) {
   const auto places = [&] {
     QList<QPoint> all;
