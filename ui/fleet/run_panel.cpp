@@ -83,6 +83,7 @@ void RunPanel::followRoute() {
 void RunPanel::takeVehicle() {
   const floor::VehicleSetup* vehicle = setup();
   smoothSpeed_ = 0.0;
+  timeLeft_.reset();
   notice_->clear();
   pages_->setCurrentIndex(vehicle == nullptr ? 1 : 0);
   if (vehicle != nullptr) {
@@ -112,18 +113,19 @@ void RunPanel::showProgress(const supervisor::VehicleView* view) {
   const bool underWay = view != nullptr && !view->route.empty() && view->length > Metres{} && view->task != Task::None;
   progress_->setVisible(underWay);
   remaining_->setVisible(underWay);
-  if (!underWay) return;
+  if (!underWay) return timeLeft_.reset();
   const double length = view->length.value();
   const double done = std::clamp(view->progress.value(), 0.0, length);
   progress_->setValue(static_cast<int>(std::lround(1000.0 * done / length)));
-  smoothSpeed_ += 0.05 * (std::abs(view->speed.value()) - smoothSpeed_);
+  const double speed = std::abs(view->speed.value());
+  smoothSpeed_ += (smoothSpeed_ > 0.0 ? 0.05 : 1.0) * (speed - smoothSpeed_);
   const QLocale locale;
   const QString travelled =
       tr("%1 of %2 m on the route %3")
           .arg(locale.toString(done, 'f', 1), locale.toString(length, 'f', 1), QString::fromStdString(view->route));
-  const double pace = std::max(smoothSpeed_, 0.5 * std::abs(view->speed.value()));
+  const double pace = std::max(smoothSpeed_, 0.5 * speed);
   if (view->task != Task::Running || pace < 0.02) return remaining_->setText(travelled);
-  const int left = static_cast<int>(std::lround((length - done) / pace));
+  const int left = timeLeft_.shown((length - done) / pace);
   const QString time = left < 60 ? tr("%1 s").arg(left) : tr("%1 min %2 s").arg(left / 60).arg(left % 60);
   remaining_->setText(tr("%1, about %2 left", "distance travelled, time").arg(travelled, time));
 }

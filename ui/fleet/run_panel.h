@@ -18,6 +18,7 @@
 #include "ui/fleet/condition.h"
 #include "ui/fleet/hint.h"
 #include "ui/fleet/order_rules.h"
+#include "ui/fleet/time_left.h"
 
 namespace tessera::ui {
 
@@ -56,6 +57,8 @@ private:
   void refresh();
   void showState(const supervisor::Snapshot* snapshot, const supervisor::VehicleView* view);
   void dress();
+  /// The button that pauses and resumes is as wide as either word needs.
+  void holdPauseWidth();
   void showProgress(const supervisor::VehicleView* view);
   void showActions(const OrderCase& c);
   void setUp(QAction* action, const QString& does, const QString& whyNot);
@@ -92,9 +95,10 @@ private:
   QDoubleSpinBox* speed_ = nullptr;
   Notice* notice_ = nullptr;
   Throttle throttle_;
-  QHash<int, double> speeds_;       ///< m/s, by vehicle: what was set last
-  QHash<int, Ordered> ordered_;     ///< by vehicle: what this panel ordered last
-  double smoothSpeed_ = 0.0;        ///< m/s, for the time that is left
+  QHash<int, double> speeds_;    ///< m/s, by vehicle: what was set last
+  QHash<int, Ordered> ordered_;  ///< by vehicle: what this panel ordered last
+  double smoothSpeed_ = 0.0;     ///< m/s, for the time that is left
+  TimeLeft timeLeft_;
   std::optional<Condition> shown_;  ///< the state that icon and colour tell now
   bool filling_ = false;
 };

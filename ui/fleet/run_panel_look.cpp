@@ -3,6 +3,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/base/icon.h"
 #include "ui/base/vehicle_colour.h"
@@ -149,6 +150,7 @@ QWidget* RunPanel::buildVehicle() {
 void RunPanel::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange || event->type() == QEvent::LocaleChange) retranslate();
   if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
+    holdPauseWidth();
     dress();
     refresh();
   }
@@ -176,8 +178,20 @@ void RunPanel::retranslate() {
   run_->setText(tr("&Run"));
   stop_->setText(tr("S&top"));
   clear_->setText(tr("&Clear faults"));
+  holdPauseWidth();
   dress();
   refresh();
+}
+
+// Stop beside it must not move when the word changes.
+void RunPanel::holdPauseWidth() {
+  auto* button = findChild<QToolButton*>(QStringLiteral("pauseButton"));
+  int most = 0;
+  for (const QString& word : {tr("R&esume"), tr("&Pause")}) {
+    pause_->setText(word);
+    most = std::max(most, button->sizeHint().width());
+  }
+  button->setMinimumWidth(most);
 }
 
 // What the state decides is drawn when it comes to another state.

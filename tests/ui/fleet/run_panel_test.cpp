@@ -139,6 +139,52 @@ TEST_F(RunPanelTest, TellsProgressAndWhatIsLeft) {
                                       .toStdString()));
 }
 
+TEST_F(RunPanelTest, KeepsItsButtonsInPlaceWhenPauseBecomesResume) {
+  beReady();
+  auto snapshot = fakeSnapshot(2);
+  setRunning(snapshot.vehicles[0], "one", 1.0, 4.0);
+  showState(snapshot, "Running");
+  const QRect before = find<QToolButton>("stopButton")->geometry();
+  snapshot.vehicles[0].task = supervisor::Task::Paused;
+  showState(snapshot, "Paused");
+  panel.layout()->activate();
+  QTest::qWait(50);
+  EXPECT_EQ(find<QToolButton>("stopButton")->geometry(), before);
+}
+
+TEST(TimeLeft, fallsInStepsAndRisesOnlyByMuch) {
+  TimeLeft left;
+  EXPECT_EQ(left.shown(61.0), 60);
+  EXPECT_EQ(left.shown(59.0), 60);
+  EXPECT_EQ(left.shown(64.0), 60) << "a bend";
+  EXPECT_EQ(left.shown(54.0), 55);
+  EXPECT_EQ(left.shown(58.0), 55);
+  EXPECT_EQ(left.shown(80.0), 80) << "it is slow indeed";
+  EXPECT_EQ(left.shown(0.3), 5);
+  left.reset();
+  EXPECT_EQ(left.shown(12.0), 10);
+}
+
+TEST_F(RunPanelTest, HoldsTheTimeLeftWhileASpeedWavers) {
+  beReady();
+  auto snapshot = fakeSnapshot(2);
+  setRunning(snapshot.vehicles[0], "one", 1.0, 31.0);
+  showState(snapshot, "Running");
+  const auto said = [&] { return label("remaining").section("about", 1); };
+  for (int n = 0; n < 3; ++n) {
+    link.show(snapshot);
+    QTest::qWait(120);
+  }
+  QStringList all{said()};
+  for (const double speed : {0.28, 0.31, 0.27, 0.30, 0.28}) {
+    snapshot.vehicles[0].speed = MetresPerSecond{speed};
+    link.show(snapshot);
+    QTest::qWait(120);
+    if (said() != all.back()) all << said();
+  }
+  EXPECT_LE(all.size(), 2) << all.join(" | ").toStdString();
+}
+
 TEST_F(RunPanelTest, SaysWhyItWaits) {
   beReady();
   auto snapshot = fakeSnapshot(2);
