@@ -241,18 +241,8 @@ SiteFiles::Changed SiteFiles::askChanged(const QString& path) {
 }
 
 bool SiteFiles::writeTo(const QString& path) {
-  switch (askChanged(path)) {
-    case Changed::Elsewhere:
-      return saveAs();
-    case Changed::Cancel:
-      return false;
-    case Changed::Overwrite:
-      break;
-  }
-  return write(path);
-}
-
-bool SiteFiles::write(const QString& path) {
+  const Changed changed = askChanged(path);
+  if (changed != Changed::Overwrite) return changed == Changed::Elsewhere && saveAs();
   const WaitCursor wait;
   if (const auto saved = floor::saveSite(document_.site(), path.toStdString()); !saved) {
     tell(tr("The site could not be saved"), ui::text(saved.error().sentence));

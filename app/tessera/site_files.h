@@ -74,7 +74,6 @@ Q_SIGNALS:
 private:
   bool read(const QString& path);
   bool writeTo(const QString& path);
-  bool write(const QString& path);
   void remember(const QString& path, std::shared_ptr<const floor::SiteMap> holds);
   enum class Changed { Overwrite, Elsewhere, Cancel };
   /// What shall become of a file that somebody else has changed since it was read or written here.
