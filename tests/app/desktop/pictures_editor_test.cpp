@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
+#include <QMouseEvent>
 #include <QPushButton>
 
 #include "app/desktop/pictures.h"
@@ -62,6 +63,34 @@ TEST_F(Pictures, showTileTypesAnImportAndTheFindBoxWhole) {
     QTest::keyClicks(words, "T-000");
     take(*window, QStringLiteral("find"), dress);
     QTest::keyClick(words, Qt::Key_Escape);
+  }
+}
+
+TEST_F(Pictures, showChosenTilesAndTheMapsPictureWhole) {
+  ASSERT_NO_FATAL_FAILURE(openWindow(false));
+  ASSERT_TRUE(window->files().openDemo());
+  for (const Dress& dress : kDresses) {
+    wear(dress);
+    trigger("layTiles");
+    window->canvas().setFocus();
+    QTest::keyClick(&window->canvas(), Qt::Key_C);
+    const Point corner = window->document().site().placements.front().origin;
+    const QPoint from = pixelOf(corner.x.value() - 0.2, corner.y.value() - 0.2);
+    const QPoint to = pixelOf(corner.x.value() + 1.0, corner.y.value() + 1.0);
+    QTest::mousePress(&window->canvas(), Qt::LeftButton, {}, from);
+    for (int n = 1; n <= 10; ++n) {
+      const QPoint now = from + (to - from) * n / 10;
+      QMouseEvent move{QEvent::MouseMove, now, window->canvas().mapToGlobal(now), Qt::NoButton, Qt::LeftButton, {}};
+      QApplication::sendEvent(&window->canvas(), &move);
+    }
+    QTest::mouseRelease(&window->canvas(), Qt::LeftButton, {}, to);
+    take(*window, QStringLiteral("chosen-tiles"), dress);
+    trigger("browse");
+    inDialogue(QStringLiteral("mapPictureDialog"), [this, &dress](QDialog& dialog) {
+      take(dialog, QStringLiteral("map-picture"), dress);
+      QTest::keyClick(&dialog, Qt::Key_Escape);
+    });
+    trigger("mapPicture");
   }
 }
 

@@ -157,7 +157,7 @@ TEST_F(Pictures, showTheEditorsOtherToolsWhole) {
   ASSERT_TRUE(window->files().openDemo());
   for (const Dress& dress : kDresses) {
     wear(dress);
-    for (const char* tool : {"layTiles", "measure", "floorPlan", "tileCheck", "locating", "calibrate"}) {
+    for (const char* tool : {"layTiles", "measure", "floorPlan", "tileCheck", "locating", "calibrate", "compass"}) {
       trigger(tool);
       take(*window, QString::fromLatin1(tool), dress);
     }
