@@ -1,6 +1,7 @@
 // `tessera-cli site`: makes, checks, compares and counts site files.
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
@@ -60,7 +61,9 @@ void sayFaults(const sitecheck::Verdict& verdict, bool all) {
   constexpr std::size_t most = 20;
   std::array<std::size_t, sitecheck::kFaultKinds> told{};
   verdict.forEach([&](const sitecheck::Fault& fault) {
-    if (++told.at(static_cast<std::size_t>(fault.kind)) <= most || all) say(lineOf(fault));
+    std::size_t& ofKind = told.at(static_cast<std::size_t>(fault.kind));
+    ofKind += fault.stands;
+    if (ofKind <= most || all) say(lineOf(fault));
   });
   for (std::size_t kind = 0; kind < told.size() && !all; ++kind)
     if (told.at(kind) > most)
@@ -99,6 +102,7 @@ int forEachFile(const SiteWords& words, FileReport (*report)(const SiteWords&, c
 FileReport checkOne(const SiteWords& words, const Site& site) {
   sitecheck::CheckOptions options;
   options.clearance = Metres{words.clearance};
+  if (words.all || words.json) options.mostOfAKind = std::numeric_limits<std::size_t>::max();
   const sitecheck::Verdict verdict = sitecheck::checkSite(site, options);
   const auto figures = sitediff::figuresOf(site);
   const std::size_t errors = verdict.count(sitecheck::Severity::Error);

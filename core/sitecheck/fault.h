@@ -89,6 +89,7 @@ struct Fault {
   std::optional<Box> place = {};     ///< what to show; none: it has no place
   std::vector<Object> objects = {};  ///< the one to blame first
   std::optional<Fix> fix = {};       ///< where there is an obvious one
+  std::size_t stands = 1;            ///< for how many: more where one sentence tells of those that are not listed
   bool operator==(const Fault&) const = default;
 };
 using Faults = std::vector<Fault>;

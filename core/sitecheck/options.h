@@ -27,7 +27,7 @@ struct CheckOptions {
   Metres clearance{0.0};
   /// A vehicle that is commanded less often than this drives in jerks: it stops by itself in between.
   Seconds longestRound{1.0};
-  /// Of each kind so many are told one by one; the rest in one sentence.
+  /// Of each kind so many are told one by one; the rest in one sentence, whose fault stands for them.
   std::size_t mostOfAKind = 1000;
   bool operator==(const CheckOptions&) const = default;
 };

@@ -78,13 +78,13 @@ std::shared_ptr<const Faults> kept(Faults faults) { return std::make_shared<cons
 
 std::size_t Verdict::size() const {
   std::size_t n = 0;
-  for (const auto& part : parts_) n += part->size();
+  forEach([&](const Fault& fault) { n += fault.stands; });
   return n;
 }
 
 std::size_t Verdict::count(Severity severity) const {
   std::size_t n = 0;
-  forEach([&](const Fault& fault) { n += fault.severity == severity ? 1 : 0; });
+  forEach([&](const Fault& fault) { n += fault.severity == severity ? fault.stands : 0; });
   return n;
 }
 

@@ -12,6 +12,7 @@ namespace tessera::sitecheck {
 /// What a check found. Parts that an edit did not concern are shared with the verdict before it.
 class Verdict {
 public:
+  /// How many faults there are, those that one sentence tells of together among them.
   [[nodiscard]] std::size_t size() const;
   [[nodiscard]] std::size_t count(Severity severity) const;
   /// In an order that depends on the site alone.

@@ -20,7 +20,8 @@ void FaultList::close() {
                    phrase("Core", "More faults of this kind, not listed one by one: %1.").with(count_ - most_),
                    rest_,
                    {},
-                   {}});
+                   {},
+                   count_ - most_});
 }
 
 }  // namespace tessera::sitecheck

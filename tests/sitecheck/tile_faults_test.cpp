@@ -154,6 +154,17 @@ TEST(TileFaults, beyondAThousandOfAKindTheRestIsCounted) {
   ASSERT_EQ(faults.size(), 1001U);
   EXPECT_THAT(faults.back().sentence.english(), HasSubstr("one by one: 500"));
   EXPECT_NEAR(faults.back().place->high.x.value(), 900.0, 1e-6);
+  const std::size_t others = 2;  // no vehicle, no running zone
+  const Verdict verdict = checkSite(site);
+  EXPECT_EQ(verdict.count(Severity::Warning) - others, 1500U);
+  EXPECT_EQ(verdict.size() - others, 1500U);
+  // A tile that gets some of its tags is a fault of another kind: the count stays.
+  for (int i = 0; i < 3; ++i)
+    site.tiles[static_cast<std::size_t>(i)].uids = {floor::TagUid::parse("04AABBC" + std::to_string(i)).value()};
+  EXPECT_EQ(checkSite(site).size(), verdict.size());
+  CheckOptions all;
+  all.mostOfAKind = 1500;
+  EXPECT_EQ(checkSite(site, all).faults().size(), verdict.size()) << "no sentence stands for others";
 }
 
 TEST(TileFaults, nothingAtAll) {

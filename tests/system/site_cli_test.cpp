@@ -77,6 +77,19 @@ TEST_F(SiteCommands, checkWithRoomAroundVehicles) {
   run({"check", paper, "--clearance", "-1"}, cli::kUsage);
 }
 
+TEST_F(SiteCommands, countEveryFaultHoweverManyAreListed) {
+  run({"new", at("wide.tessera.json"), "--tile-type", "60x60 full 15", "--columns", "50", "--rows", "40"}, cli::kDone);
+  const auto checked = json({"check", at("wide.tessera.json")}, cli::kDone);
+  EXPECT_EQ(checked["warnings"], 2001) << "2000 tiles without tags, and no vehicle";
+  EXPECT_EQ(checked["faults"].size(), 2001U);
+  const std::string some = run({"check", at("wide.tessera.json")}, cli::kDone);
+  EXPECT_THAT(some, AllOf(HasSubstr("... and 1980 more of tile-unregistered; --all lists them."),
+                          HasSubstr("0 errors, 2001 warnings.")));
+  EXPECT_THAT(some, testing::Not(HasSubstr("one by one")));
+  const std::string all = run({"check", at("wide.tessera.json"), "--all"}, cli::kDone);
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 2003) << "a line of each, one before and one after";
+}
+
 TEST_F(SiteCommands, refuseWordsThatAreWrong) {
   run({"new", at("x"), "--tile-type", "marble", "--columns", "1", "--rows", "1"}, cli::kUsage);
   run({"new", at("x"), "--tile-type", "30x30 full 15", "--columns", "0", "--rows", "1"}, cli::kUsage);

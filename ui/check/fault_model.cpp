@@ -1,6 +1,8 @@
 #include "ui/check/fault_model.h"
 
 #include <algorithm>
+#include <array>
+#include <tuple>
 
 #include "ui/base/icon.h"
 #include "ui/base/wording.h"
@@ -31,7 +33,16 @@ void FaultModel::sortOut() {
   verdict_.forEach([this](const Fault& fault) {
     if (fault.severity == Severity::Error ? errors_ : warnings_) rows_.push_back(&fault);
   });
-  std::stable_partition(rows_.begin(), rows_.end(), [](const Fault* f) { return f->severity == Severity::Error; });
+  // Of a kind that a floor has hundreds of, one is like the next: what is rare is not to drown in it.
+  constexpr std::size_t few = 20;
+  std::array<std::size_t, sitecheck::kFaultKinds> ofKind{};
+  for (const Fault* f : rows_) ofKind.at(static_cast<std::size_t>(f->kind)) += f->stands;
+  const auto rank = [&](const Fault* f) {
+    const std::size_t count = ofKind.at(static_cast<std::size_t>(f->kind));
+    const bool many = count > few;
+    return std::tuple{f->severity != Severity::Error, many ? count : 0, many ? f->kind : sitecheck::FaultKind{}};
+  };
+  std::stable_sort(rows_.begin(), rows_.end(), [&](const Fault* a, const Fault* b) { return rank(a) < rank(b); });
 }
 
 int FaultModel::rowOf(const Fault& fault) const {

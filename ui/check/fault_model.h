@@ -1,4 +1,5 @@
-// The faults of a verdict as rows, errors first: a sign for how serious it is, and the sentence.
+// The faults of a verdict as rows, errors first and kinds with many faults last among theirs: a sign for how serious it
+// is, and the sentence.
 #pragma once
 
 #include <QAbstractListModel>

@@ -231,6 +231,24 @@ TEST_F(FaultsUnderTest, FiltersBySeverityAndCounts) {
   EXPECT_EQ(rows(), static_cast<int>(warnings));
 }
 
+TEST_F(FaultsUnderTest, CountsWhatOneSentenceTellsOfAndListsWhatIsRareFirst) {
+  addRoute({placeAt(0.5, 0.5), placeAt(0.5, 0.5), placeAt(2.0, 0.5)});
+  ASSERT_TRUE(document.edit("Lay", [](floor::Site& site) {
+    for (int i = 0; i < 1500; ++i) {
+      site.tiles.push_back({"far " + std::to_string(i), site.tileTypes[0].name, {}});
+      site.placements.push_back({site.tiles.back().serial, placeAt(0.6 * i, 100), 0});
+    }
+  }));
+  ASSERT_TRUE(settled());
+  const int warnings = 1500 + rowWith("No tag of tile");
+  EXPECT_GE(rowWith("No tag of tile"), 1) << all().left(2000).toStdString();
+  EXPECT_LT(rowWith("same point twice"), rowWith("No tag of tile"));
+  EXPECT_EQ(panel.summary(), QString("%1 warning(s)").arg(warnings));
+  EXPECT_EQ(panel.title(), QString("Faults (%1)").arg(warnings));
+  EXPECT_EQ(action("showWarnings").text(), QString("Warnings (%1)").arg(warnings));
+  EXPECT_TRUE(row(rows() - 1).contains("one by one: 500")) << row(rows() - 1).toStdString();
+}
+
 TEST_F(FaultsUnderTest, KeepsTheChosenFaultWhileOthersComeAndGo) {
   addRoute({placeAt(0.5, 0.5), placeAt(9, 0.5)});
   list().setCurrentIndex(list().model()->index(rowWith("outside the zones"), 0));
