@@ -23,13 +23,10 @@ TagUid practiceUid(std::uint64_t number) {
 
 // As the demo sites have it; the key is known to everybody.
 VehicleSetup practiceVehicle(Point middle) {
-  VehicleSetup v;
+  VehicleSetup v = usualVehicle();
   v.id = VehicleId{1};
   v.name = "AGV 1";
   v.key.fill(0xF0);
-  v.readers = {{Metres{0.15}, Metres{0.1}}, {Metres{0.15}, Metres{}}, {Metres{0.15}, Metres{-0.1}}};
-  const auto corner = [](double x, double y) { return Point{Metres{x}, Metres{y}}; };
-  v.footprint = {corner(-0.2, -0.18), corner(0.2, -0.18), corner(0.2, 0.18), corner(-0.2, 0.18)};
   v.start = Pose{middle, Radians{}};
   return v;
 }
@@ -43,6 +40,14 @@ std::span<const TileType> usualTileTypes() {
       square("45x45 one-in-two 15", 0.45, 0.15, Pattern::OneInTwo), square("45x45 full 15", 0.45, 0.15, Pattern::Full),
       square("30x30 one-in-two 10", 0.30, 0.10, Pattern::OneInTwo), square("30x30 full 15", 0.30, 0.15, Pattern::Full)};
   return types;
+}
+
+VehicleSetup usualVehicle() {
+  VehicleSetup v;
+  v.readers = {{Metres{0.15}, Metres{0.1}}, {Metres{0.15}, Metres{}}, {Metres{0.15}, Metres{-0.1}}};
+  const auto corner = [](double x, double y) { return Point{Metres{x}, Metres{y}}; };
+  v.footprint = {corner(-0.2, -0.18), corner(0.2, -0.18), corner(0.2, 0.18), corner(-0.2, 0.18)};
+  return v;
 }
 
 Result<Site> layNewFloor(const NewFloor& wish) {

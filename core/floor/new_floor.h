@@ -13,6 +13,9 @@ namespace tessera::floor {
 /// The publication's sizes: 30, 45 and 60 cm, one-in-two and full, at the pitches that divide them.
 [[nodiscard]] std::span<const TileType> usualTileTypes();
 
+/// The small vehicle of the demo sites: 0.40 by 0.36 m, three readers. Without an address, a name and a key.
+[[nodiscard]] VehicleSetup usualVehicle();
+
 struct NewFloor {
   static constexpr int kMost = 1000;  ///< tiles in a row or column
 

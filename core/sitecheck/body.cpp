@@ -2,11 +2,19 @@
 
 #include <algorithm>
 
+#include "floor/new_floor.h"
+
 namespace tessera::sitecheck {
 namespace {
 
+const floor::VehicleSetup& usual() {
+  static const floor::VehicleSetup vehicle = floor::usualVehicle();
+  return vehicle;
+}
+
 template <class Alike>
 std::vector<const floor::VehicleSetup*> withoutLikes(const floor::Site& site, Alike alike) {
+  if (site.vehicles.empty()) return {&usual()};
   std::vector<const floor::VehicleSetup*> kept;
   for (const floor::VehicleSetup& v : site.vehicles) {
     if (std::none_of(kept.begin(), kept.end(), [&](const floor::VehicleSetup* k) { return alike(*k, v); }))
@@ -27,6 +35,22 @@ std::vector<const floor::VehicleSetup*> readerRowsOf(const floor::Site& site) {
   return withoutLikes(site, [](const floor::VehicleSetup& a, const floor::VehicleSetup& b) {
     return a.readers == b.readers && a.readerRadius == b.readerRadius;
   });
+}
+
+bool isUsual(const floor::VehicleSetup& vehicle) { return &vehicle == &usual(); }
+
+Sentence nameOf(const floor::VehicleSetup& vehicle) {
+  if (isUsual(vehicle)) return phrase("Core", "a usual vehicle");
+  return phrase("Core", "vehicle \"%1\"").with(vehicle.name);
+}
+
+void addTo(std::vector<Object>& objects, const floor::VehicleSetup& vehicle) {
+  if (!isUsual(vehicle)) objects.push_back({ObjectKind::Vehicle, vehicle.name});
+}
+
+bool isOf(const Fault& fault, const floor::VehicleSetup& vehicle) {
+  if (fault.objects.size() < 2) return isUsual(vehicle);
+  return !isUsual(vehicle) && fault.objects[1].name == vehicle.name;
 }
 
 }  // namespace tessera::sitecheck

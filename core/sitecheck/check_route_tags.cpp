@@ -129,13 +129,13 @@ Faults checkRouteTags(const Context& context, const floor::Route& route) {
     faults.push_back(
         {FaultKind::RouteWithoutTags,
          Severity::Warning,
-         phrase("Core",
-                "On route \"%1\" vehicle \"%2\" sees no registered tag for %3 m, from %4 m on; it can bridge %5 m.")
-             .with(route.name, vehicle->name, inMetres(length), placeText(line.at(Metres{blind.from})),
+         phrase("Core", "On route \"%1\" %2 sees no registered tag for %3 m, from %4 m on; it can bridge %5 m.")
+             .with(route.name, nameOf(*vehicle), inMetres(length), placeText(line.at(Metres{blind.from})),
                    inMetres(context.options.longestBlind)),
          boxOfWay(line, blind),
-         {{ObjectKind::Route, route.name}, {ObjectKind::Vehicle, vehicle->name}},
+         {{ObjectKind::Route, route.name}},
          {}});
+    addTo(faults.back().objects, *vehicle);
   }
   return faults;
 }

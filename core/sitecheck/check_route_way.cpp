@@ -199,13 +199,14 @@ private:
     }
     if (!at) return;
     const Point place = line_.vertices()[*at];
-    tell(FaultKind::RouteTooTight, Severity::Warning,
-         phrase("Core",
-                "At %2 m route \"%1\" bends faster than vehicle \"%3\" can turn at its full speed: %4 rad/s instead of "
-                "%5 rad/s.")
-             .with(route_.name, placeText(place), v.name, figure(worst, 2), figure(v.maxTurnRate.value(), 2)),
-         Box{place, place})
-        .objects.push_back({ObjectKind::Vehicle, v.name});
+    Fault& fault =
+        tell(FaultKind::RouteTooTight, Severity::Warning,
+             phrase("Core",
+                    "At %2 m route \"%1\" bends faster than %3 can turn at its full speed: %4 rad/s instead of "
+                    "%5 rad/s.")
+                 .with(route_.name, placeText(place), nameOf(v), figure(worst, 2), figure(v.maxTurnRate.value(), 2)),
+             Box{place, place});
+    addTo(fault.objects, v);
   }
 
   // The outline carried along every leg, and turned on the spot at every vertex in steps of a few degrees.
@@ -236,18 +237,14 @@ private:
     if (off.empty()) return;
     const Sentence sentence =
         clearance > Metres{}
-            ? phrase(
-                  "Core",
-                  "On route \"%1\" vehicle \"%2\" with %5 m of room around it sticks out of the zones in which it may "
-                  "be, over %3 m² about %4 m.")
-                  .with(route_.name, v.name, figure(off.squareMetres(), 2), placeText(middleOf(off.bounds())),
+            ? phrase("Core",
+                     "On route \"%1\" %2 with %5 m of room around it sticks out of the zones in which it may "
+                     "be, over %3 m² about %4 m.")
+                  .with(route_.name, nameOf(v), figure(off.squareMetres(), 2), placeText(middleOf(off.bounds())),
                         inMetres(clearance))
-            : phrase(
-                  "Core",
-                  "On route \"%1\" vehicle \"%2\" sticks out of the zones in which it may be, over %3 m² about %4 m.")
-                  .with(route_.name, v.name, figure(off.squareMetres(), 2), placeText(middleOf(off.bounds())));
-    tell(FaultKind::RouteTooClose, Severity::Warning, sentence, off.bounds())
-        .objects.push_back({ObjectKind::Vehicle, v.name});
+            : phrase("Core", "On route \"%1\" %2 sticks out of the zones in which it may be, over %3 m² about %4 m.")
+                  .with(route_.name, nameOf(v), figure(off.squareMetres(), 2), placeText(middleOf(off.bounds())));
+    addTo(tell(FaultKind::RouteTooClose, Severity::Warning, sentence, off.bounds()).objects, v);
   }
 
   const Context& context_;

@@ -147,7 +147,8 @@ Faults checkEmpty(const Context& context) {
   if (context.site.placements.empty() && context.site.looseTags.empty())
     tell(FaultKind::NoTags,
          phrase("Core", "No tile is laid and no loose tag is known: vehicles would not find their way."));
-  if (context.site.vehicles.empty()) tell(FaultKind::NoVehicle, phrase("Core", "The site has no vehicle."));
+  if (context.site.vehicles.empty())
+    tell(FaultKind::NoVehicle, phrase("Core", "The site has no vehicle: routes are checked for a usual one."));
   if (!context.zones.anyRunning)
     tell(FaultKind::NoRunningZone,
          phrase("Core", "The site has no running zone: routes are not checked against where vehicles may be."));

@@ -71,7 +71,7 @@ private:
     Route changed = route_;
     std::optional<MetresPerSecond> slowest;
     for (const VehicleSetup* v : bodiesOf(context_.site)) {
-      if (fault.objects.size() < 2 || v->name != fault.objects[1].name) continue;
+      if (!isOf(fault, *v)) continue;
       for (std::size_t i = 1; i < line.legCount(); ++i) {
         const double turn = std::abs(turnBetween(line.headingOf(i - 1), line.headingOf(i)).value());
         if (turn == 0.0 || turn >= context_.options.sharpCorner.value()) continue;
@@ -101,7 +101,7 @@ private:
     Reach reach;
     const bool all = fault.kind != FaultKind::RouteTooClose;
     for (const VehicleSetup* v : bodiesOf(context_.site)) {
-      if (!all && (fault.objects.size() < 2 || v->name != fault.objects[1].name)) continue;
+      if (!all && !isOf(fault, *v)) continue;
       for (const Point& p : v->footprint) {
         reach.aside = std::max(reach.aside, Metres{std::abs(p.y.value())});
         reach.around = std::max(reach.around, length({p.x, p.y}));

@@ -859,10 +859,6 @@
         <translation>将地板砖“%1”移到紧贴地板砖“%2”处</translation>
     </message>
     <message>
-        <source>On route &quot;%1&quot; vehicle &quot;%2&quot; sees no registered tag for %3 m, from %4 m on; it can bridge %5 m.</source>
-        <translation>在路径“%1”上，车辆“%2”从 %4 m 处起连续 %3 m 读不到已登记的电子标签；最多可跨越 %5 m。</translation>
-    </message>
-    <message>
         <source>Route &quot;%1&quot; has fewer than two different points.</source>
         <translation>路径“%1”的不同点少于两个。</translation>
     </message>
@@ -885,14 +881,6 @@
     <message>
         <source>Route &quot;%1&quot; leads %2 m the wrong way through the one-way zone &quot;%3&quot;.</source>
         <translation>路径“%1”有 %2 m 逆行穿过单行区域“%3”。</translation>
-    </message>
-    <message>
-        <source>At %2 m route &quot;%1&quot; bends faster than vehicle &quot;%3&quot; can turn at its full speed: %4 rad/s instead of %5 rad/s.</source>
-        <translation>路径“%1”在 %2 m 处转弯过急：车辆“%3”全速时需要 %4 rad/s，而其上限为 %5 rad/s。</translation>
-    </message>
-    <message>
-        <source>On route &quot;%1&quot; vehicle &quot;%2&quot; sticks out of the zones in which it may be, over %3 m² about %4 m.</source>
-        <translation>在路径“%1”上，车辆“%2”的车身会超出可行驶区域，面积 %3 m²，位于 %4 m 附近。</translation>
     </message>
     <message>
         <source>Two routes are called &quot;%1&quot;.</source>
@@ -1013,10 +1001,6 @@
     <message>
         <source>No tile is laid and no loose tag is known: vehicles would not find their way.</source>
         <translation>没有铺设地板砖，也没有单独电子标签：车辆无法定位。</translation>
-    </message>
-    <message>
-        <source>The site has no vehicle.</source>
-        <translation>场地没有车辆。</translation>
     </message>
     <message>
         <source>The site has no running zone: routes are not checked against where vehicles may be.</source>
@@ -1831,10 +1815,6 @@
         <translation>场地已被修改：未作任何更改。</translation>
     </message>
     <message>
-        <source>On route &quot;%1&quot; vehicle &quot;%2&quot; with %5 m of room around it sticks out of the zones in which it may be, over %3 m² about %4 m.</source>
-        <translation>在路径“%1”上，车辆“%2”连同其四周 %5 m 的空间超出允许区域 %3 m²，位于 %4 m 附近。</translation>
-    </message>
-    <message>
         <source>Reverse route &quot;%1&quot;</source>
         <translation>将路径“%1”反向</translation>
     </message>
@@ -2085,6 +2065,34 @@
     <message>
         <source>The magnetic map holds numbers that no map has.</source>
         <translation>磁场图中含有不可能的数值。</translation>
+    </message>
+    <message>
+        <source>a usual vehicle</source>
+        <translation>常用车辆</translation>
+    </message>
+    <message>
+        <source>vehicle &quot;%1&quot;</source>
+        <translation>车辆“%1”</translation>
+    </message>
+    <message>
+        <source>On route &quot;%1&quot; %2 sees no registered tag for %3 m, from %4 m on; it can bridge %5 m.</source>
+        <translation>在路径“%1”上，%2从 %4 m 处起连续 %3 m 读不到已登记的电子标签；最多可跨越 %5 m。</translation>
+    </message>
+    <message>
+        <source>At %2 m route &quot;%1&quot; bends faster than %3 can turn at its full speed: %4 rad/s instead of %5 rad/s.</source>
+        <translation>路径“%1”在 %2 m 处转弯过急：%3全速时需要 %4 rad/s，而其上限为 %5 rad/s。</translation>
+    </message>
+    <message>
+        <source>On route &quot;%1&quot; %2 with %5 m of room around it sticks out of the zones in which it may be, over %3 m² about %4 m.</source>
+        <translation>在路径“%1”上，%2连同其四周 %5 m 的空间超出允许区域 %3 m²，位于 %4 m 附近。</translation>
+    </message>
+    <message>
+        <source>On route &quot;%1&quot; %2 sticks out of the zones in which it may be, over %3 m² about %4 m.</source>
+        <translation>在路径“%1”上，%2的车身会超出可行驶区域，面积 %3 m²，位于 %4 m 附近。</translation>
+    </message>
+    <message>
+        <source>The site has no vehicle: routes are checked for a usual one.</source>
+        <translation>场地没有车辆：路径按常用车辆检查。</translation>
     </message>
 </context>
 <context>

@@ -142,6 +142,23 @@ TEST(RouteFaults, tooLongWithoutATag) {
   EXPECT_GT(checkSite(site, strict).size(), checkSite(site).size());
 }
 
+TEST(RouteFaults, areFoundForAUsualVehicleWhereTheSiteHasNone) {
+  Site site = goodFloor();
+  for (auto& tile : site.tiles) tile.uids.clear();
+  site.vehicles.clear();
+  site.routes = {{"r", {at(0.4, 0.05), at(2.0, 0.05), at(2.6, 0.15)}, Metres{0.2}}};
+  const auto blind = faultsOf(site, FaultKind::RouteWithoutTags);
+  ASSERT_EQ(blind.size(), 1U);
+  EXPECT_THAT(blind[0].sentence.english(), HasSubstr("route \"r\" a usual vehicle sees no registered tag"));
+  EXPECT_EQ(blind[0].objects, (std::vector<Object>{{ObjectKind::Route, "r"}})) << "there is no vehicle to show";
+  const auto close = faultsOf(site, FaultKind::RouteTooClose);
+  ASSERT_EQ(close.size(), 1U);
+  ASSERT_TRUE(close[0].fix) << close[0].sentence;
+  ASSERT_TRUE(mend(close[0].fix->edit, site));
+  EXPECT_TRUE(faultsOf(site, FaultKind::RouteTooClose).empty());
+  EXPECT_THAT(faultsOf(site, FaultKind::NoVehicle)[0].sentence.english(), HasSubstr("checked for a usual one"));
+}
+
 TEST(RouteFaults, aReaderSeesWhatPassesUnderIt) {
   Site site;
   site.vehicles = goodFloor().vehicles;

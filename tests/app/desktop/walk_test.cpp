@@ -236,7 +236,7 @@ TEST_F(Walk, fromAnEmptyFloorToASavedSiteThatReopensEqual) {
   ASSERT_NO_FATAL_FAILURE(drawZonesAndARoute());
   // Vehicles are set up by a wizard of their own; nothing else is left to mend.
   EXPECT_TRUE(until([&] { return summary() == "1 warning"; })) << summary().toStdString();
-  EXPECT_EQ(firstFault(), "The site has no vehicle.");
+  EXPECT_EQ(firstFault(), "The site has no vehicle: routes are checked for a usual one.");
 
   const floor::Site done = site();
   const int steps = window->document().undoStack().count();
