@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
 """Tries the helpers of ./dev: counting ctest's results and choosing the files for clang-tidy."""
+import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -52,6 +54,24 @@ class CountJunit(unittest.TestCase):
     def test_names_are_those_of_the_failed(self):
         self.assertEqual(self.run_on("good bad left gone", "--names").stdout, "bad\ngone\n")
         self.assertEqual(self.run_on("good", "--names").stdout, "")
+
+
+class RefuseWords(unittest.TestCase):
+    CALLS = ["build tessera", "setup now", "bench --fast", "test --quick", "test --fast more", "lint some",
+             "lint --all more", "fly"]
+
+    def test_a_word_that_would_be_passed_over_is_a_wrong_call(self):
+        # A copy in an empty folder, where nothing is missing: what is not refused soon fails instead of building.
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copy(HERE.parent.parent / "dev", folder)
+            stub = Path(folder) / "dpkg-query"
+            stub.write_text("#!/bin/sh\nprintf installed\n")
+            stub.chmod(0o755)
+            environment = {**os.environ, "PATH": f"{folder}:{os.environ['PATH']}", "HOME": folder}
+            for call in self.CALLS:
+                done = subprocess.run([f"{folder}/dev", *call.split()], capture_output=True, text=True, env=environment)
+                self.assertEqual(done.returncode, 2, call)
+                self.assertIn(call.split()[-1], done.stderr)
 
 
 class ChooseForTidy(unittest.TestCase):
