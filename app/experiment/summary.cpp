@@ -10,6 +10,8 @@
 #include <sstream>
 #include <string_view>
 
+#include "floor/text_file.h"
+
 namespace tessera::experiment {
 namespace {
 
@@ -57,6 +59,7 @@ nlohmann::json toJson(const Metrics& m, bool finished) {
 }
 
 Result<void> writeWhole(const std::string& file, const std::string& text) {
+  if (auto fit = floor::replaceable(file); !fit) return fit;
   const std::string draft = file + ".part";
   {
     std::ofstream out{draft, std::ios::binary | std::ios::trunc};

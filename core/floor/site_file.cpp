@@ -117,6 +117,14 @@ Result<std::string> loadText(const fs::path& path, std::size_t most) {
   return text;
 }
 
+Result<void> replaceable(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);  // of what a link leads to
+  if (!fs::exists(status) || fs::is_regular_file(status)) return {};
+  return failure(
+      phrase("Core", "%1: is no file but a folder, a device or the like, which is not replaced.").with(path.string()));
+}
+
 Result<void> saveText(const std::string& text, const fs::path& path, Replacing replacing) {
   // A link stays a link: what it leads to is replaced.
   std::error_code error;
@@ -124,6 +132,7 @@ Result<void> saveText(const std::string& text, const fs::path& path, Replacing r
   const auto failed = [&path](const Sentence& what) {
     return failure(phrase("Core", "%1: %2: %3. The file was not changed.").with(path.string(), what, reason(errno)));
   };
+  if (const auto fit = replaceable(path); !fit) return fit;
   if (replacing == Replacing::Refused && fs::exists(target, error))
     return failure(phrase("Core", "%1: the file is there already.").with(path.string()));
   TemporaryFile file{target};

@@ -10,6 +10,7 @@
 
 #include "floor/random_site.h"
 #include "floor/site_json.h"
+#include "floor/text_file.h"
 
 namespace tessera::floor {
 namespace {
@@ -83,6 +84,30 @@ TEST_F(SiteFile, keepsTheRightsOfTheFileAndHidesANewOnesKeysFromOthers) {
   fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
   ASSERT_TRUE(saveSite(randomSite(2), path));
   EXPECT_EQ(fs::status(path).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST_F(SiteFile, whatIsNoFileIsNotReplaced) {
+  const fs::path pipe = file("pipe");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  fs::create_directory(file("folder"));
+  fs::create_symlink("pipe", file("link"));
+  fs::create_symlink("link", file("link to the link"));
+  // Asked about alone: nothing is ever written to a device here.
+  fs::create_symlink("/dev/null", file("device"));
+  for (const char* name : {"pipe", "folder", "link", "link to the link", "device"}) {
+    const auto fit = replaceable(file(name));
+    ASSERT_FALSE(fit) << name;
+    EXPECT_THAT(fit.error().sentence, AllOf(HasSubstr(file(name).string()), HasSubstr("is not replaced"))) << name;
+  }
+  for (const char* name : {"pipe", "folder", "link", "link to the link"}) {
+    const auto saved = saveSite(randomSite(1), file(name));
+    ASSERT_FALSE(saved) << name;
+    EXPECT_THAT(saved.error().sentence, HasSubstr("is not replaced")) << name;
+  }
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  EXPECT_TRUE(fs::is_directory(file("folder")));
+  EXPECT_EQ(count(), 5) << "and nothing is left beside";
+  EXPECT_TRUE(replaceable(file("none.json")));
 }
 
 TEST_F(SiteFile, aLinkStaysALink) {

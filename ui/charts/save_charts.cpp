@@ -9,6 +9,8 @@
 #include <QTextStream>
 #include <cmath>
 
+#include "floor/text_file.h"
+#include "ui/base/wording.h"
 #include "ui/charts/live_charts.h"
 #include "ui/charts/time_chart.h"
 #include "ui/charts/track_chart.h"
@@ -31,6 +33,7 @@ QPalette printPalette() {
 }  // namespace
 
 QString LiveCharts::saveTo(const QString& file) {
+  if (const auto fit = floor::replaceable(file.toStdString()); !fit) return text(fit.error().sentence);
   return QFileInfo{file}.suffix().compare(QLatin1String("csv"), Qt::CaseInsensitive) == 0 ? writeValues(file)
                                                                                           : writePicture(file);
 }

@@ -8,6 +8,8 @@
 #include <QSaveFile>
 #include <QStandardPaths>
 
+#include "floor/text_file.h"
+#include "ui/base/wording.h"
 #include "ui/fleet/event_model.h"
 #include "ui/fleet/roles.h"
 
@@ -40,6 +42,7 @@ QByteArray severityWord(int severity) {
 QString saveEvents(const QAbstractItemModel& events, const QString& file) {
   const QString failed =
       words(QT_TRANSLATE_NOOP("SaveEvents", "The file %1 could not be written. Choose another folder.")).arg(file);
+  if (const auto fit = floor::replaceable(file.toStdString()); !fit) return text(fit.error().sentence);
   QSaveFile out{file};
   if (!out.open(QIODevice::WriteOnly)) return failed;
   out.write("\xEF\xBB\xBFtime,vehicle,severity,what\r\n");

@@ -8,6 +8,8 @@
 #include <QSvgGenerator>
 #include <cmath>
 
+#include "floor/text_file.h"
+
 namespace tessera::ui {
 namespace {
 
@@ -74,6 +76,7 @@ Result<void> saveSheet(const MapSheet& sheet, const QString& path) {
     return failure(phrase("Core",
                           "So many tags make a file that no program opens quickly. Choose PNG, or leave the "
                           "tags out."));
+  if (auto fit = floor::replaceable(path.toStdString()); !fit) return fit;
   QSaveFile file{path};
   const auto cannot = [&] {
     return failure(phrase("Core", "Cannot write %1: %2.").with(path.toStdString(), file.errorString().toStdString()));

@@ -2,6 +2,7 @@
 #include "ui/print/map_picture.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -135,6 +136,17 @@ TEST_F(Picture, thatCannotBeMadeLeavesTheOldFile) {
   EXPECT_EQ(bytesOf(path("map.png")), "old");
   EXPECT_FALSE(saveSheet(MapSheet{map, {}}, path("map.bmp")));
   EXPECT_FALSE(saveSheet(MapSheet{map, {}}, path("no/such/folder.png")));
+}
+
+TEST_F(Picture, doesNotTakeThePlaceOfAPipe) {
+  const QByteArray pipe = QFile::encodeName(path("pipe.png"));
+  ASSERT_EQ(::mkfifo(pipe.constData(), 0600), 0);
+  const auto done = saveSheet(MapSheet{map, {}}, path("pipe.png"));
+  ASSERT_FALSE(done);
+  EXPECT_NE(done.error().sentence.english().find("is not replaced"), std::string::npos);
+  struct stat now {};
+  ASSERT_EQ(::stat(pipe.constData(), &now), 0);
+  EXPECT_TRUE(S_ISFIFO(now.st_mode));
 }
 
 TEST_F(Picture, ofAnEmptySiteIsASheetAsWell) {
