@@ -7,6 +7,7 @@
 #include <QMessageBox>
 
 #include "app/tessera/wait_cursor.h"
+#include "exchange/file_format.h"
 #include "exchange/lif.h"
 #include "exchange/site_import.h"
 #include "exchange/tag_tables.h"
@@ -22,7 +23,6 @@ namespace {
 
 const QString kTable = QStringLiteral(".csv");
 const QString kPlaceTable = QStringLiteral(".places.csv");
-const QString kSite = QStringLiteral(".tessera.json");
 const QString kLayout = QStringLiteral(".lif.json");
 
 Result<exchange::Preview> previewOf(const floor::Site& onto, const QString& path) {
@@ -30,9 +30,15 @@ Result<exchange::Preview> previewOf(const floor::Site& onto, const QString& path
   const std::string file = path.toStdString();
   const auto text = floor::loadText(file, floor::kMostJson + 1);
   if (!text) return tl::unexpected{text.error()};
-  if (path.endsWith(kTable, Qt::CaseInsensitive)) return exchange::importTags(onto, *text, file);
-  return path.endsWith(kSite, Qt::CaseInsensitive) ? exchange::importSite(onto, *text, file)
-                                                   : exchange::importLif(onto, *text, file);
+  switch (exchange::formatOf(file, *text)) {
+    case exchange::Format::TagTable:
+      return exchange::importTags(onto, *text, file);
+    case exchange::Format::Layout:
+      return exchange::importLif(onto, *text, file);
+    case exchange::Format::Site:
+      break;
+  }
+  return exchange::importSite(onto, *text, file);
 }
 
 }  // namespace
@@ -48,9 +54,9 @@ QString ExchangeFiles::proposal(const QString& suffix) const {
 }
 
 void ExchangeFiles::importAsking() {
-  const QString path = QFileDialog::getOpenFileName(
-      &window_, tr("Import"), QFileInfo{proposal({})}.path(),
-      tr("Tables of tags, layouts and sites (*.csv *.lif *.lif.json *.tessera.json);;All files (*)"));
+  const QString path =
+      QFileDialog::getOpenFileName(&window_, tr("Import"), QFileInfo{proposal({})}.path(),
+                                   tr("Tables of tags, layouts and sites (*.csv *.lif *.json);;All files (*)"));
   if (!path.isEmpty()) importFrom(path);
 }
 
@@ -93,9 +99,9 @@ bool ExchangeFiles::exportTo(const QString& path) {
   const floor::Site& site = document_.site();
   exchange::LifText written;
   if (path.endsWith(kPlaceTable))
-    written.text = exchange::writeTagPlaces(site);
+    written = {exchange::writeTagPlaces(site), exchange::leftOutOfTagPlaces(site)};
   else if (path.endsWith(kTable))
-    written.text = exchange::writeTileTags(site);
+    written = {exchange::writeTileTags(site), exchange::leftOutOfTileTags(site)};
   else
     written = exchange::writeLif(site, QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString());
   const auto saved = floor::saveText(written.text, path.toStdString(), floor::Replacing::Allowed);
@@ -103,6 +109,7 @@ bool ExchangeFiles::exportTo(const QString& path) {
     tell(tr("The file could not be written"), ui::text(saved.error().sentence));
     return false;
   }
+  Q_EMIT told(tr("%1 was written.").arg(QFileInfo{path}.fileName()));
   if (written.leftOut.empty()) return true;
   QStringList lines;
   for (const Sentence& sentence : written.leftOut) lines << ui::text(sentence);

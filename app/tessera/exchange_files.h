@@ -28,6 +28,10 @@ public:
   /// planShown: the floor plan beneath the floor is to be seen just now.
   void savePictureAsking(bool planShown);
 
+Q_SIGNALS:
+  /// One sentence for the status line: what was done.
+  void told(const QString& sentence);
+
 private:
   [[nodiscard]] QString proposal(const QString& suffix) const;
   void tell(const QString& title, const QString& sentence);

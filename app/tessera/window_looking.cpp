@@ -12,6 +12,7 @@ namespace tessera::desktop {
 void MainWindow::joinLooking() {
   exchange_ = new ExchangeFiles{document_, *this};
   exchange_->setParent(this);
+  connect(exchange_, &ExchangeFiles::told, this, &MainWindow::tell);
   measureTool_ = std::make_unique<ui::MeasureTool>();
   find_ = new ui::FindBox{document_, canvas_};
   const auto& a = *actions_;

@@ -174,6 +174,21 @@ std::string writeTagPlaces(const Site& site) {
   return s;
 }
 
+std::vector<Sentence> leftOutOfTileTags(const Site& site) {
+  if (site.looseTags.empty()) return {};
+  return {phrase("Core", "Loose tags, which belong to no tile, left out: %1.").with(site.looseTags.size())};
+}
+
+std::vector<Sentence> leftOutOfTagPlaces(const Site& site) {
+  std::size_t left = 0;
+  for (const Tile& tile : site.tiles)
+    left += static_cast<std::size_t>(
+        std::count_if(tile.uids.begin(), tile.uids.end(), [](const TagUid& uid) { return !uid.empty(); }));
+  TagPlaces{site}.forEachRegistered([&left](const TagUid&, Point) { --left; });
+  if (left == 0) return {};
+  return {phrase("Core", "Registered tags of tiles that are not laid and so have no place, left out: %1.").with(left)};
+}
+
 Result<Preview> importTags(const Site& onto, std::string_view csv, const std::string& name) {
   const auto rows = parseCsv(csv, name);
   if (!rows) return tl::unexpected{rows.error()};

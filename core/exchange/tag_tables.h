@@ -13,6 +13,10 @@ namespace tessera::exchange {
 /// tags to the micrometre, loose tags with the fewest digits that read back exactly.
 [[nodiscard]] std::string writeTagPlaces(const floor::Site& site);
 
+/// What tags of the site the one and the other table lack, a sentence for each kind.
+[[nodiscard]] std::vector<Sentence> leftOutOfTileTags(const floor::Site& site);
+[[nodiscard]] std::vector<Sentence> leftOutOfTagPlaces(const floor::Site& site);
+
 /// How far from a tile's tag a place of a table may be to mean that tag.
 inline constexpr Metres kSamePlace{0.01};
 

@@ -2094,6 +2094,18 @@
         <source>The site has no vehicle: routes are checked for a usual one.</source>
         <translation>场地没有车辆：路径按常用车辆检查。</translation>
     </message>
+    <message>
+        <source>%1: is no file but a folder, a device or the like, which is not replaced.</source>
+        <translation>%1：不是文件，而是文件夹、设备或类似对象，不会被替换。</translation>
+    </message>
+    <message>
+        <source>Loose tags, which belong to no tile, left out: %1.</source>
+        <translation>不属于任何地板砖的单独标签未写出：%1 个。</translation>
+    </message>
+    <message>
+        <source>Registered tags of tiles that are not laid and so have no place, left out: %1.</source>
+        <translation>未铺设的地板砖没有位置，其已登记的标签未写出：%1 个。</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>
@@ -2856,12 +2868,16 @@
         <translation>无法保存图片</translation>
     </message>
     <message>
-        <source>Tables of tags, layouts and sites (*.csv *.lif *.lif.json *.tessera.json);;All files (*)</source>
-        <translation>标签表、布局和场地 (*.csv *.lif *.lif.json *.tessera.json);;所有文件 (*)</translation>
-    </message>
-    <message>
         <source>Table of all tags with their places (*%1)</source>
         <translation>全部标签及其位置的表 (*%1)</translation>
+    </message>
+    <message>
+        <source>Tables of tags, layouts and sites (*.csv *.lif *.json);;All files (*)</source>
+        <translation>标签表、布局和场地 (*.csv *.lif *.json);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>%1 was written.</source>
+        <translation>%1 已写出。</translation>
     </message>
 </context>
 <context>

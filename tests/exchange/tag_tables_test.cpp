@@ -101,6 +101,19 @@ TEST(TagPlaces, ofEveryTagFillAFloorThatHasNoneYet) {
   EXPECT_EQ(coarse->site.looseTags.size(), 2U) << "tile 1 has been moved away";
 }
 
+TEST(TagTables, sayWhichTagsTheyLack) {
+  Site site = goodFloor();
+  EXPECT_TRUE(leftOutOfTileTags(site).empty());
+  EXPECT_TRUE(leftOutOfTagPlaces(site).empty());
+  site.looseTags = {{TagUid::parse("04AABBCC").value(), at(1, 1)}, {TagUid::parse("04AABBCD").value(), at(2, 1)}};
+  site.placements.pop_back();
+  site.tiles.back().uids[2] = {};
+  ASSERT_EQ(leftOutOfTileTags(site).size(), 1U);
+  EXPECT_THAT(leftOutOfTileTags(site)[0].english(), HasSubstr("left out: 2."));
+  ASSERT_EQ(leftOutOfTagPlaces(site).size(), 1U);
+  EXPECT_THAT(leftOutOfTagPlaces(site)[0].english(), HasSubstr("left out: 7."));
+}
+
 TEST(TagPlaces, meanTheTagOfATileWithinACentimetre) {
   const Site site = goodFloor();
   const std::string old = site.tiles[0].uids[0].text();

@@ -2,6 +2,7 @@
 #include <QFile>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QStatusBar>
 #include <QUndoView>
 
 #include "app/desktop/desktop_fixture.h"
@@ -154,6 +155,7 @@ TEST_F(Looking, bringsBackWhatItExported) {
   auto* exchange = window->findChild<ExchangeFiles*>();
   const QString file = home.filePath("tags.csv");
   ASSERT_TRUE(exchange->exportTo(file));
+  EXPECT_EQ(window->statusBar()->currentMessage(), "tags.csv was written.");
   inDialogue(QStringLiteral("changesDialog"), [](QDialog& dialog) {
     EXPECT_EQ(dialog.findChild<QWidget*>("changesTake"), nullptr) << "nothing would change";
   });
