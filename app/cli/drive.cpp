@@ -36,9 +36,9 @@ nlohmann::json resultOf(const experiment::Recorder& recorder) {
 
 int drive(const DriveWords& words) {
   auto site = floor::loadSite(words.site);
-  if (!site) return complain(site.error().sentence, kBadInput);
+  if (!site) return fail(words.json, site.error().sentence, kBadInput);
   auto map = floor::SiteMap::build(std::move(*site));
-  if (!map) return complain(words.site + ": " + map.error().sentence.english(), kBadInput);
+  if (!map) return fail(words.json, words.site + ": " + map.error().sentence.english(), kBadInput);
   PortRunSpec spec;
   spec.map = *map;
   spec.port = words.port;
@@ -46,7 +46,7 @@ int drive(const DriveWords& words) {
   spec.config.locator = words.estimator;
   spec.config.controller = words.controller;
   const auto assignments = parseAssignments(words.drives, **map);
-  if (!assignments) return complain(assignments.error().sentence, kBadInput);
+  if (!assignments) return fail(words.json, assignments.error().sentence, kBadInput);
   for (const experiment::Assignment& one : *assignments) spec.config.vehicles.push_back(one.vehicle);
   spec.limit = words.limit > 0 ? Seconds{words.limit} : generousLimit(**map, *assignments, spec.speed);
   experiment::Recorder recorder{*assignments};
@@ -55,7 +55,7 @@ int drive(const DriveWords& words) {
     ProgressLine progress{words.quiet || words.json};
     end = runOnPort(spec, recorder, progress);
   }
-  if (!end) return complain(end.error().sentence, kNoPort);
+  if (!end) return fail(words.json, end.error().sentence, kNoPort);
   if (words.json) {
     say(resultOf(recorder).dump(2));
   } else {

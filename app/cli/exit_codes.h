@@ -17,6 +17,8 @@ enum ExitCode : int {
 inline constexpr const char* kExitCodeHelp =
     "Exit codes: 0 done; 1 a vehicle did not reach its route's end, the radio module differs from the site, a site\n"
     "has errors, or two sites differ; 2 wrong call; 3 a file cannot be read or contradicts itself; 4 no port,\n"
-    "no answer from the radio module or no simulated world; 5 a result could not be written; 130 interrupted.";
+    "no answer from the radio module or no simulated world; 5 a result could not be written; 130 interrupted.\n"
+    "With --json a failure is told on standard output too, as {\"error\": sentence}; a wrong call may be told on\n"
+    "standard error alone.";
 
 }  // namespace tessera::cli

@@ -183,7 +183,7 @@ int conclude(const ExperimentWords& words, const Plan& plan, const experiment::R
   std::vector<experiment::TruthTrack> truths;
   for (const auto& assignment : plan.assignments) {
     auto truth = experiment::readTruth(words.world.truth, assignment.vehicle.value);
-    if (!truth) return complain(truth.error().sentence, kBadInput);
+    if (!truth) return fail(words.json, truth.error().sentence, kBadInput);
     truths.push_back(std::move(*truth));
   }
   const auto outcomes = experiment::judge(*plan.map, recorder, truths, plan.speed);
@@ -198,11 +198,11 @@ int conclude(const ExperimentWords& words, const Plan& plan, const experiment::R
                           {"wrongly_sure_s", experiment::wronglySure(outcomes.front().samples, *carriedAt).value()}};
   }
   if (auto written = experiment::writeReport(words.out, summary, outcomes); !written) {
-    return complain(written.error().sentence, kCannotWrite);
+    return fail(words.json, written.error().sentence, kCannotWrite);
   }
   const std::string picture = words.out + "/track.png";
   if (auto drawn = drawTracks(*plan.map, outcomes, plan.speed, words.world.seed, picture); !drawn) {
-    return complain(drawn.error().sentence, kCannotWrite);
+    return fail(words.json, drawn.error().sentence, kCannotWrite);
   }
   if (words.json) {
     say(summary.dump(2));
@@ -216,23 +216,26 @@ int conclude(const ExperimentWords& words, const Plan& plan, const experiment::R
 
 int experimentMain(ExperimentWords words) {
   words.world.kind = words.kind == "qemu" ? world::Kind::Qemu : world::Kind::Native;
-  if (words.carry > 0 && !words.lockstep) return complain("Carrying a vehicle (--carry) needs --lockstep.", kUsage);
+  if (words.carry > 0 && !words.lockstep)
+    return fail(words.json, "Carrying a vehicle (--carry) needs --lockstep.", kUsage);
   if (words.lockstep && words.world.kind == world::Kind::Qemu) {
-    return complain("An emulated vehicle runs in real time: leave out --lockstep, or take --vehicle native.", kUsage);
+    return fail(words.json, "An emulated vehicle runs in real time: leave out --lockstep, or take --vehicle native.",
+                kUsage);
   }
   if (!words.magneticMap.empty() && !words.lockstep)
     return complain("A magnetic map (--magnetic-map) needs --lockstep.", kUsage);
   if (words.route.empty() && words.drives.empty())
-    return complain("Name a route with --route NAME, or vehicles and routes with --drive ID=ROUTE.", kUsage);
+    return fail(words.json, "Name a route with --route NAME, or vehicles and routes with --drive ID=ROUTE.", kUsage);
   auto plan = planOf(words);
-  if (!plan) return complain(plan.error().sentence, kBadInput);
+  if (!plan) return fail(words.json, plan.error().sentence, kBadInput);
   for (const auto& id : plan->config.vehicles) words.world.vehicles.push_back(id.value);
   std::error_code error;
   std::filesystem::create_directories(words.out, error);
-  if (error) return complain("The folder " + words.out + " could not be made: " + error.message() + ".", kCannotWrite);
+  if (error)
+    return fail(words.json, "The folder " + words.out + " could not be made: " + error.message() + ".", kCannotWrite);
   words.world.truth = words.out + "/truth.csv";
   if (auto kept = experiment::writeWhole(words.world.truth, {}); !kept)
-    return complain(kept.error().sentence, kCannotWrite);
+    return fail(words.json, kept.error().sentence, kCannotWrite);
 
   experiment::Recorder recorder{plan->assignments};
   std::vector<std::string> complaints;
@@ -243,7 +246,7 @@ int experimentMain(ExperimentWords words) {
     end = words.lockstep ? runLockstep(*plan, words, recorder, progress, carriedAt)
                          : runThroughPty(*plan, words, recorder, progress, complaints);
   }
-  if (!end) return complain(end.error().sentence, kNoPort);
+  if (!end) return fail(words.json, end.error().sentence, kNoPort);
   return conclude(words, *plan, recorder, complaints, carriedAt, *end);
 }
 

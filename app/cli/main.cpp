@@ -32,8 +32,14 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     // CLI11 tells only that a sub-command is missing, or helps, where one was given that there is not.
-    if (const auto words = app.remaining(); app.get_subcommands().empty() && !words.empty())
-      return complain("There is no sub-command \"" + words.front() + "\"; see --help.", kUsage);
+    std::string parent;
+    const CLI::App* at = &app;
+    for (; !at->get_subcommands().empty(); at = at->get_subcommands().back())
+      parent += at->get_subcommands().back()->get_name() + " ";
+    if (const auto words = at->remaining(); at->get_require_subcommand_min() > 0 && !words.empty())
+      return complain("There is no sub-command \"" + parent + words.front() + "\"; see " +
+                          (parent.empty() ? "" : "tessera-cli " + parent) + "--help.",
+                      kUsage);
     const int asked = app.exit(e);  // prints help, the version or what is wrong
     return asked == 0 ? kDone : kUsage;
   }

@@ -3,12 +3,27 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/exit_codes.h"
 
 namespace tessera::cli {
 
 int complain(const std::string& sentence, int code) {
   std::fprintf(stderr, "tessera-cli: %s\n", sentence.c_str());
   return code;
+}
+
+int fail(bool json, const std::string& sentence, int code) {
+  if (json) say(nlohmann::json{{"error", sentence}}.dump(2));
+  return complain(sentence, code);
+}
+
+int failToWrite(bool json, const std::string& sentence, const std::string& file, bool force) {
+  std::error_code error;
+  const bool inTheWay = !force && std::filesystem::is_regular_file(file, error);
+  return fail(json, sentence + (inTheWay ? " See --force." : ""), kCannotWrite);
 }
 
 void say(const std::string& sentence) { std::printf("%s\n", sentence.c_str()); }

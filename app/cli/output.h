@@ -10,6 +10,10 @@ namespace tessera::cli {
 
 /// A complaint in a sentence on standard error; returns `code` so that a command can end with it.
 int complain(const std::string& sentence, int code);
+/// The same of a command with --json, which has an answer on standard output whatever happens: {"error": sentence}.
+int fail(bool json, const std::string& sentence, int code);
+/// Of a file that was not written: what saveText says, with the way to replace it where that is what is in the way.
+int failToWrite(bool json, const std::string& sentence, const std::string& file, bool force);
 void say(const std::string& sentence);
 
 /// "  12.3 s  warning  AGV 1 has been silent for 1.2 s."

@@ -94,13 +94,13 @@ int tell(const RadioWords& words, const E32Parameters& p) {
 
 int read(const RadioWords& words) {
   const auto module = converse(words, std::nullopt);
-  return module ? tell(words, *module) : complain(module.error().sentence, kNoPort);
+  return module ? tell(words, *module) : fail(words.json, module.error().sentence, kNoPort);
 }
 
 // What is not named stays as the module has it.
 int write(const RadioWords& words) {
   auto wanted = words.site.empty() ? converse(words, std::nullopt) : ofSite(words.site);
-  if (!wanted) return complain(wanted.error().sentence, words.site.empty() ? kNoPort : kBadInput);
+  if (!wanted) return fail(words.json, wanted.error().sentence, words.site.empty() ? kNoPort : kBadInput);
   if (words.address) wanted->address = static_cast<std::uint16_t>(*words.address);
   if (words.channel) wanted->channel = *words.channel;
   if (words.airRate) {
@@ -113,14 +113,14 @@ int write(const RadioWords& words) {
     wanted->power = static_cast<int>(power - link::kE32Powers.begin());
   }
   const auto module = converse(words, *wanted);
-  return module ? tell(words, *module) : complain(module.error().sentence, kNoPort);
+  return module ? tell(words, *module) : fail(words.json, module.error().sentence, kNoPort);
 }
 
 int check(const RadioWords& words) {
   const auto site = ofSite(words.site);
-  if (!site) return complain(site.error().sentence, kBadInput);
+  if (!site) return fail(words.json, site.error().sentence, kBadInput);
   const auto module = converse(words, std::nullopt);
-  if (!module) return complain(module.error().sentence, kNoPort);
+  if (!module) return fail(words.json, module.error().sentence, kNoPort);
   const auto differences = link::differencesFromSite(*module, *site);
   if (words.json) {
     nlohmann::json result{

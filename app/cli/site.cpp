@@ -10,6 +10,7 @@
 #include "app/cli/site_convert.h"
 #include "app/cli/site_output.h"
 #include "app/cli/site_revisions.h"
+#include "exchange/file_format.h"
 #include "floor/new_floor.h"
 #include "floor/site_json.h"
 #include "floor/site_map.h"
@@ -92,11 +93,17 @@ int forEachFile(const SiteWords& words, FileReport (*report)(const SiteWords&, c
     all.push_back(std::move(result.json));
   }
   if (!words.json) return worst;
-  if (words.files.size() > 1)
-    say(all.dump(2));
-  else if (!all.front().contains("error"))
-    say(all.front().dump(2));
+  say((words.files.size() > 1 ? all : all.front()).dump(2));
   return worst;
+}
+
+// A site in which one thing has two meanings is listed and counted, but nothing may be built on it.
+void refuseContradiction(const SiteWords& words, const Site& site, FileReport& report) {
+  const auto map = floor::SiteMap::build(site);
+  if (map) return;
+  const std::string sentence = words.file + ": " + map.error().sentence.english();
+  report.code = complain(sentence, kBadInput);
+  report.json["error"] = sentence;
 }
 
 FileReport checkOne(const SiteWords& words, const Site& site) {
@@ -115,26 +122,26 @@ FileReport checkOne(const SiteWords& words, const Site& site) {
   } else {
     say(sentenceOf(site, figures));
     sayFaults(verdict, words.all);
-    if (verdict.size() > 0) say(counted(errors, "error") + ", " + counted(verdict.size() - errors, "warning") + ".");
+    say(counted(errors, "error") + ", " + counted(verdict.size() - errors, "warning") + ".");
   }
-  if (const auto map = floor::SiteMap::build(site); !map)
-    report.code = complain(words.file + ": " + map.error().sentence.english(), kBadInput);
+  refuseContradiction(words, site, report);
   return report;
 }
 
 int check(const SiteWords& words) { return forEachFile(words, checkOne); }
 
 int make(const SiteWords& words) {
+  if (exchange::formatOfName(words.file) != exchange::Format::Site)
+    return fail(words.json, words.file + ": a site is written to a file *.tessera.json, or another *.json.", kUsage);
   floor::NewFloor wish{
       words.name.empty() ? stemOf(words.file) : words.name, {}, words.columns, words.rows, words.practice};
   for (const floor::TileType& type : floor::usualTileTypes())
     if (type.name == words.tileType) wish.type = type;
   const auto site = layNewFloor(wish);
-  if (!site) return complain(site.error().sentence, kBadInput);
+  if (!site) return fail(words.json, site.error().sentence, kBadInput);
   const auto written =
       saveText(writeSite(*site), words.file, words.force ? floor::Replacing::Allowed : floor::Replacing::Refused);
-  if (!written)
-    return complain(written.error().sentence.english() + (words.force ? "" : " See --force."), kCannotWrite);
+  if (!written) return failToWrite(words.json, written.error().sentence, words.file, words.force);
   const auto figures = sitediff::figuresOf(*site);
   say(words.json ? countsOf(*site, figures).dump(2) : sentenceOf(*site, figures));
   return kDone;
@@ -142,9 +149,9 @@ int make(const SiteWords& words) {
 
 int compare(const SiteWords& words) {
   const auto before = floor::loadSite(words.file);
-  if (!before) return complain(before.error().sentence, kBadInput);
+  if (!before) return fail(words.json, before.error().sentence, kBadInput);
   const auto after = floor::loadSite(words.other);
-  if (!after) return complain(after.error().sentence, kBadInput);
+  if (!after) return fail(words.json, after.error().sentence, kBadInput);
   const sitediff::Changes changes = sitediff::difference(*before, *after);
   if (words.json) {
     nlohmann::json result{{"equal", changes.empty()}, {"changes", nlohmann::json::array()}};
@@ -178,6 +185,7 @@ FileReport countOne(const SiteWords& words, const Site& site) {
   const auto f =
       sitediff::figuresOf(site, words.speed > 0 ? std::optional{MetresPerSecond{words.speed}} : std::nullopt);
   FileReport report{jsonOfFigures(f), kDone};
+  refuseContradiction(words, site, report);
   if (words.json) return report;
   char text[700];
   const double share =
@@ -234,10 +242,11 @@ void addSite(CLI::App& app, Run& run) {
   making->add_option("--name", words->name, "The site's name; default: the file's");
   making->add_flag("--practice", words->practice, "Made-up UIDs and one vehicle, to try it in the simulated world");
   making->add_flag("--force", words->force, "Replace the file if it is there");
-  auto* checking = addPart(*site, "check",
-                           "Read site files and list their faults. The exit code is the worst of all; with --json an "
-                           "object, of several files an array of such, one that cannot be read with its \"error\"",
-                           words, check, run);
+  auto* checking = addPart(
+      *site, "check",
+      "Read site files and list their faults. The exit code is the worst of all; with --json an "
+      "object, of several files an array of such, one that cannot be read or contradicts itself with its \"error\"",
+      words, check, run);
   checking->add_option("FILE", words->files, kFiles)->required();
   checking->add_flag("--all", words->all, "List every fault; default: 20 of each kind");
   checking->add_option("--clearance", words->clearance, "Room around vehicles on routes, m; default: none")
@@ -247,7 +256,9 @@ void addSite(CLI::App& app, Run& run) {
   comparing->add_option("BEFORE", words->file, kFile)->required();
   comparing->add_option("AFTER", words->other, kFile)->required();
   auto* counting =
-      addPart(*site, "stats", "Count tiles, tags, areas, lengths and travel times. Exit code and --json as of check",
+      addPart(*site, "stats",
+              "Count tiles, tags, areas, lengths and travel times. --json and the exit code as of check, but faults "
+              "alone are not looked for: 3 where one thing has two meanings",
               words, count, run);
   counting->add_option("FILE", words->files, kFiles)->required();
   counting->add_option("--speed", words->speed, "On the routes, m/s; default: the vehicle's highest")

@@ -6,11 +6,13 @@
 #include "app/cli/exit_codes.h"
 #include "app/cli/output.h"
 #include "app/cli/site_output.h"
+#include "exchange/file_format.h"
 #include "exchange/lif.h"
 #include "exchange/site_import.h"
 #include "exchange/tag_tables.h"
 #include "floor/json_node.h"
 #include "floor/site_json.h"
+#include "floor/site_map.h"
 #include "floor/text_file.h"
 
 namespace tessera::cli {
@@ -27,11 +29,19 @@ struct ConvertWords {
   bool json = false;
 };
 
-// "csv", "lif" or "json", by the ending.
+using exchange::Format;
+
+// The word of --to.
 std::string formatOf(const std::string& file) {
-  if (file.ends_with(".csv")) return "csv";
-  if (file.ends_with(".lif") || file.ends_with(".lif.json")) return "lif";
-  return file.ends_with(".json") ? "json" : "";
+  switch (exchange::formatOfName(file).value_or(Format::Site)) {
+    case Format::TagTable:
+      return "csv";
+    case Format::Layout:
+      return "lif";
+    case Format::Site:
+      break;
+  }
+  return exchange::formatOfName(file) ? "json" : "";
 }
 
 Result<Preview> readFrom(const ConvertWords& words) {
@@ -42,17 +52,20 @@ Result<Preview> readFrom(const ConvertWords& words) {
     if (!site) return tl::unexpected{std::move(site.error())};
     onto = std::move(*site);
   }
-  const std::string format = formatOf(words.in);
-  const bool isSite = format != "csv" && format != "lif";
-  if (isSite && words.onto.empty()) {
-    auto site = floor::loadSite(words.in);
-    if (!site) return tl::unexpected{std::move(site.error())};
-    return Preview{std::move(*site), {}, {}};
-  }
   const auto text = floor::loadText(words.in, floor::kMostJson + 1);
   if (!text) return tl::unexpected{text.error()};
-  if (isSite) return exchange::importSite(onto, *text, words.in);
-  return format == "csv" ? exchange::importTags(onto, *text, words.in) : exchange::importLif(onto, *text, words.in);
+  switch (exchange::formatOf(words.in, *text)) {
+    case Format::TagTable:
+      return exchange::importTags(onto, *text, words.in);
+    case Format::Layout:
+      return exchange::importLif(onto, *text, words.in);
+    case Format::Site:
+      break;
+  }
+  if (!words.onto.empty()) return exchange::importSite(onto, *text, words.in);
+  auto site = floor::parseSite(*text, words.in);
+  if (!site) return tl::unexpected{std::move(site.error())};
+  return Preview{std::move(*site), {}, {}};
 }
 
 struct Written {
@@ -60,8 +73,8 @@ struct Written {
   std::vector<Sentence> leftOut;
 };
 Written writtenAs(const std::string& format, const floor::Site& site) {
-  if (format == "csv") return {exchange::writeTileTags(site), {}};
-  if (format == "csv-places") return {exchange::writeTagPlaces(site), {}};
+  if (format == "csv") return {exchange::writeTileTags(site), exchange::leftOutOfTileTags(site)};
+  if (format == "csv-places") return {exchange::writeTagPlaces(site), exchange::leftOutOfTagPlaces(site)};
   if (format == "json") return {writeSite(site), {}};
   auto lif = exchange::writeLif(site, QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString());
   return {std::move(lif.text), std::move(lif.leftOut)};
@@ -70,17 +83,22 @@ Written writtenAs(const std::string& format, const floor::Site& site) {
 int convert(const ConvertWords& words) {
   const std::string format = words.to.empty() ? formatOf(words.out) : words.to;
   if (format.empty())
-    return complain("The ending of " + words.out + " says no format: add --to json, csv, csv-places or lif.", kUsage);
+    return fail(words.json, "The ending of " + words.out + " says no format: add --to json, csv, csv-places or lif.",
+                kUsage);
   if (formatOf(words.in) == "csv" && words.onto.empty())
-    return complain("A table of tags needs the site whose tags they are: add --onto SITE.", kUsage);
+    return fail(words.json, "A table of tags needs the site whose tags they are: add --onto SITE.", kUsage);
   const auto preview = readFrom(words);
-  if (!preview) return complain(preview.error().sentence, kBadInput);
+  if (!preview) return fail(words.json, preview.error().sentence, kBadInput);
+  // In a table or a layout nobody would see any more that one thing has two meanings.
+  if (const auto map = floor::SiteMap::build(preview->site); !map)
+    return fail(words.json, (words.onto.empty() ? words.in : words.onto) + ": " + map.error().sentence.english(),
+                kBadInput);
   const Written written = writtenAs(format, preview->site);
   std::vector<Sentence> notes = preview->notes;
   notes.insert(notes.end(), written.leftOut.begin(), written.leftOut.end());
   const auto saved =
       saveText(written.text, words.out, words.force ? floor::Replacing::Allowed : floor::Replacing::Refused);
-  if (!saved) return complain(saved.error().sentence.english() + (words.force ? "" : " See --force."), kCannotWrite);
+  if (!saved) return failToWrite(words.json, saved.error().sentence, words.out, words.force);
   if (words.json) {
     nlohmann::json result{{"written", words.out}, {"format", format}, {"notes", jsonOf(notes)}};
     result["changes"] = nlohmann::json::array();

@@ -72,11 +72,14 @@ std::string lineOf(const Revision& revision) {
 int list(const RevisionWords& words) {
   const std::string file = words.database.empty() ? windowsDatabase() : words.database;
   if (std::error_code error; !std::filesystem::exists(file, error))
-    return complain(file + ": is not there: no site was opened in the window on this computer.", kBadInput);
+    return fail(words.json, file + ": is not there: no site was opened in the window on this computer.", kBadInput);
   const auto database = store::Database::open(file);
-  if (!database) return complain(database.error().sentence, kBadInput);
+  if (!database) return fail(words.json, database.error().sentence, kBadInput);
   const auto revisions = store::Revisions{**database}.list(store::keyOfFile(words.file));
-  if (!revisions) return complain(revisions.error().sentence, kBadInput);
+  if (!revisions) return fail(words.json, revisions.error().sentence, kBadInput);
+  // A file that is gone may have revisions; a name that was never one has none.
+  if (std::error_code error; revisions->empty() && !std::filesystem::exists(words.file, error))
+    return fail(words.json, words.file + ": is not there, and no revision of it was kept.", kBadInput);
   if (words.json) {
     nlohmann::json all = nlohmann::json::array();
     for (const Revision& revision : *revisions) all.push_back(jsonOf(revision));

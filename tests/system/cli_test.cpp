@@ -93,6 +93,11 @@ INSTANTIATE_TEST_SUITE_P(
     Words, WrongCall,
     testing::Values(
         Call{"nothing", {}, {"subcommand"}}, Call{"unknownCommand", {"fly"}, {"fly"}},
+        Call{"unknownCommandOfASite",
+             {"site", "chek", "x"},
+             {"no sub-command \"site chek\"", "tessera-cli site --help"}},
+        Call{"unknownCommandOfTheRadio", {"radio", "reed"}, {"no sub-command \"radio reed\""}},
+        Call{"noCommandOfTheRadio", {"radio"}, {"subcommand"}},
         Call{"unknownOption", {"ports", "--colour"}, {"--colour"}}, Call{"noSite", {"experiment"}, {"SITE"}},
         Call{"noPort", {"drive", kCorner, "--drive", "1=corner"}, {"--port"}},
         Call{"noRouteAtAll", {"experiment", kCorner}, {"--route"}},
@@ -189,6 +194,23 @@ TEST(Json, isAllThatStandsOnStandardOutput) {
   ASSERT_TRUE(late.is_object());
   EXPECT_EQ(late["finished"], false);
   EXPECT_EQ(late["vehicles"][0]["vehicle"], 1);
+}
+
+TEST(Json, tellsAlsoWhatFailed) {
+  const std::vector<std::vector<std::string>> calls{
+      {"experiment", "/nonexistent.tessera.json", "--route", "corner"},
+      {"drive", "/nonexistent.tessera.json", "--port", "/dev/null", "--drive", "1=corner"},
+      {"radio", "check", "--port", "/dev/null", "--site", "/nonexistent.tessera.json"},
+      {"site", "check", "/nonexistent.tessera.json"}};
+  for (std::vector<std::string> words : calls) {
+    words.emplace_back("--json");
+    Program cli{TESSERA_CLI, words};
+    EXPECT_EQ(cli.exitCode(), cli::kBadInput) << cli.errors();
+    const auto answer = nlohmann::json::parse(cli.output(), nullptr, false);
+    ASSERT_TRUE(answer.is_object()) << words.front() << cli.output();
+    EXPECT_THAT(answer.value("error", ""), HasSubstr("/nonexistent.tessera.json")) << words.front();
+    EXPECT_THAT(cli.errors(), HasSubstr("/nonexistent.tessera.json")) << "for people as well";
+  }
 }
 
 TEST(CtrlC, stopsTheVehicleBeforeTheProgramEnds) {

@@ -2,57 +2,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <QTemporaryDir>
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/exit_codes.h"
 #include "floor/site_json.h"
 #include "store/revisions.h"
 #include "store/site_store.h"
-#include "system/program.h"
+#include "system/site_commands.h"
 
 namespace tessera::system_test {
 namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-using Words = std::vector<std::string>;
-
-class SiteCommands : public testing::Test {
-protected:
-  [[nodiscard]] std::string at(const std::string& name) const { return folder_.path().toStdString() + "/" + name; }
-  static std::string bytesOf(const std::string& path) {
-    std::ifstream in{path, std::ios::binary};
-    return {std::istreambuf_iterator<char>{in}, {}};
-  }
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream{at(name), std::ios::binary} << text;
-  }
-  // Runs `site ...`: its standard output; complaints stay in errors().
-  std::string run(Words words, int code) {
-    words.insert(words.begin(), "site");
-    Program cli{TESSERA_CLI, words};
-    EXPECT_EQ(cli.exitCode(), code) << cli.errors() << cli.output();
-    errors_ = cli.errors();
-    return cli.output();
-  }
-  nlohmann::json json(Words words, int code) {
-    words.emplace_back("--json");
-    return nlohmann::json::parse(run(std::move(words), code), nullptr, false);
-  }
-  void makeFloor(const std::string& name, bool practice) {
-    Words words{"new", at(name), "--tile-type", "60x60 one-in-two 15", "--columns", "5", "--rows", "4"};
-    if (practice) words.emplace_back("--practice");
-    run(words, cli::kDone);
-  }
-  [[nodiscard]] const std::string& errors() const { return errors_; }
-
-private:
-  QTemporaryDir folder_;
-  std::string errors_;
-};
 
 TEST_F(SiteCommands, makeAFloorThatIsNotWrittenOver) {
   makeFloor("hall.tessera.json", true);
@@ -71,31 +33,11 @@ TEST_F(SiteCommands, makeAFloorThatIsNotWrittenOver) {
 TEST_F(SiteCommands, checkWithRoomAroundVehicles) {
   const std::string paper = TESSERA_SITES "/paper.tessera.json";
   EXPECT_EQ(json({"check", paper}, cli::kDone)["warnings"], 0);
+  EXPECT_THAT(run({"check", paper}, cli::kDone), HasSubstr("\n0 errors, 0 warnings.\n"));
   const auto checked = json({"check", paper, "--clearance", "0.3"}, cli::kDone);
   ASSERT_EQ(checked["warnings"], 1);
   EXPECT_EQ(checked["faults"][0]["kind"], "route-too-close");
   run({"check", paper, "--clearance", "-1"}, cli::kUsage);
-}
-
-TEST_F(SiteCommands, countEveryFaultHoweverManyAreListed) {
-  run({"new", at("wide.tessera.json"), "--tile-type", "60x60 full 15", "--columns", "50", "--rows", "40"}, cli::kDone);
-  const auto checked = json({"check", at("wide.tessera.json")}, cli::kDone);
-  EXPECT_EQ(checked["warnings"], 2001) << "2000 tiles without tags, and no vehicle";
-  EXPECT_EQ(checked["faults"].size(), 2001U);
-  const std::string some = run({"check", at("wide.tessera.json")}, cli::kDone);
-  EXPECT_THAT(some, AllOf(HasSubstr("... and 1980 more of tile-unregistered; --all lists them."),
-                          HasSubstr("0 errors, 2001 warnings.")));
-  EXPECT_THAT(some, testing::Not(HasSubstr("one by one")));
-  const std::string all = run({"check", at("wide.tessera.json"), "--all"}, cli::kDone);
-  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 2003) << "a line of each, one before and one after";
-}
-
-TEST_F(SiteCommands, refuseWordsThatAreWrong) {
-  run({"new", at("x"), "--tile-type", "marble", "--columns", "1", "--rows", "1"}, cli::kUsage);
-  run({"new", at("x"), "--tile-type", "30x30 full 15", "--columns", "0", "--rows", "1"}, cli::kUsage);
-  run({"convert", at("a.csv"), at("b.tessera.json")}, cli::kUsage);
-  run({"convert", TESSERA_SITES "/paper.tessera.json", at("b.txt")}, cli::kUsage);
-  run({"diff", at("a")}, cli::kUsage);
 }
 
 TEST_F(SiteCommands, listFaultsWithTheirPlaces) {
@@ -118,6 +60,28 @@ TEST_F(SiteCommands, listFaultsWithTheirPlaces) {
   write("twice.tessera.json", site.dump());
   EXPECT_THAT(run({"check", at("twice.tessera.json")}, cli::kBadInput), HasSubstr("uid-twice"));
   EXPECT_THAT(errors(), HasSubstr("two places"));
+}
+
+TEST_F(SiteCommands, sayWhichTagsATableLacks) {
+  makeFloor("hall.tessera.json", true);
+  auto site = nlohmann::json::parse(bytesOf(at("hall.tessera.json")));
+  site["loose_tags"] = {{{"uid", "04AABBCC"}, {"x_m", 1}, {"y_m", 1}}};
+  site["placements"].erase(0);
+  write("loose.tessera.json", site.dump());
+  EXPECT_THAT(run({"convert", at("loose.tessera.json"), at("tags.csv")}, cli::kDone), HasSubstr("left out: 1."));
+  const auto places = json({"convert", at("loose.tessera.json"), at("places.csv"), "--to", "csv-places"}, cli::kDone);
+  ASSERT_EQ(places["notes"].size(), 1U);
+  EXPECT_THAT(places["notes"][0].get<std::string>(), HasSubstr("left out: 8."));
+}
+
+TEST_F(SiteCommands, takeALayoutForOneWhateverItsName) {
+  run({"convert", TESSERA_SITES "/paper.tessera.json", at("paper.lif.json")}, cli::kDone);
+  write("foreign.json", bytesOf(at("paper.lif.json")));
+  run({"convert", at("foreign.json"), at("routes.tessera.json")}, cli::kDone);
+  EXPECT_EQ(json({"stats", at("routes.tessera.json")}, cli::kDone)["routes"][0]["name"], "paper");
+  write("plain.json", bytesOf(TESSERA_SITES "/paper.tessera.json"));
+  run({"convert", at("plain.json"), at("again.tessera.json")}, cli::kDone);
+  EXPECT_EQ(bytesOf(at("again.tessera.json")), bytesOf(TESSERA_SITES "/paper.tessera.json"));
 }
 
 TEST_F(SiteCommands, checkAndCountSeveralFilesAtOnce) {
@@ -241,6 +205,8 @@ TEST_F(SiteCommands, listTheRevisionsThatTheWindowKept) {
     site.placements.pop_back();
     ASSERT_TRUE(store::Revisions{*opened}.add(key, site, {1'700'000'000'000, "Ada", "Take up 1 tile", false}));
   }
+  run({"revisions", at("never.tessera.json"), "--database", database}, cli::kBadInput);
+  EXPECT_THAT(errors(), HasSubstr("never.tessera.json: is not there"));
   EXPECT_EQ(run(words, cli::kDone),
             "2023-11-14T22:13:20Z  Ada  Take up 1 tile  (tiles taken up: 1)\n"
             "1970-01-01T00:00:01Z  unknown  the file as it was opened\n");
