@@ -12,7 +12,7 @@ namespace tessera::calibrate {
 namespace {
 
 constexpr std::size_t kFewestPoints = 6;
-constexpr double kRoundOff = 1e-13;  // of points near one
+constexpr double kRoundOff = 1e-13;    // of points near one
 constexpr double kLeastSpread = 1e-3;  // µT; far below the chip's step
 // The vehicle's own limits (firmware/vehicle/compass_calibration.cpp): what is written here it would take as well.
 constexpr double kWorstMisfit = 0.05;  // 3 degrees

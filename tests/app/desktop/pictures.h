@@ -38,7 +38,8 @@ protected:
     if (folder.isEmpty()) return;
     ASSERT_TRUE(QDir{}.mkpath(folder));
     constexpr int kLittlePacked = 85;  // four hundred of them: a third larger, in a quarter of the time
-    EXPECT_TRUE(picture.save(QDir{folder}.filePath(view + '-' + dress.name + QStringLiteral(".png")), "PNG", kLittlePacked));
+    EXPECT_TRUE(
+        picture.save(QDir{folder}.filePath(view + '-' + dress.name + QStringLiteral(".png")), "PNG", kLittlePacked));
   }
   static int coloursIn(const QImage& image) {
     QSet<QRgb> seen;
