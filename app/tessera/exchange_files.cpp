@@ -133,7 +133,8 @@ void ExchangeFiles::savePictureAsking(bool planShown) {
     const WaitCursor wait;
     return ui::saveSheet(ui::MapSheet{document_.map(), dialog.wish()}, path);
   }();
-  if (!saved) tell(tr("The picture could not be saved"), ui::text(saved.error().sentence));
+  if (!saved) return tell(tr("The picture could not be saved"), ui::text(saved.error().sentence));
+  Q_EMIT told(tr("%1 was written.").arg(QFileInfo{path}.fileName()));
 }
 
 void ExchangeFiles::tell(const QString& title, const QString& sentence) {

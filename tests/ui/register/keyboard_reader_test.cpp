@@ -8,6 +8,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "keys_at.h"
+
 namespace tessera::ui {
 namespace {
 
@@ -26,15 +28,7 @@ protected:
     QTest::keyClicks(&field, line);
     QTest::keyClick(&field, Qt::Key_Return);
   }
-  /// As the window system brings them: each with its own time, whenever they come here.
-  void keysAt(const char* keys, quint64 ms) {
-    for (const char* c = keys; *c != 0; ++c) {
-      const QChar key = QLatin1Char{*c};
-      QKeyEvent event{QEvent::KeyPress, key.toUpper().unicode(), Qt::NoModifier, QString{key}};
-      event.setTimestamp(ms++);
-      QCoreApplication::sendEvent(&field, &event);
-    }
-  }
+  void keysAt(const char* keys, quint64 ms) { test::keysAt(field, keys, ms); }
   [[nodiscard]] QStringList said() const {
     QStringList all;
     for (const auto& call : typed) all << call[0].toString();
@@ -79,9 +73,10 @@ TEST_F(KeysOfAReader, areNoReadWithoutEnterOnceEnterWasSent) {
 
 TEST_F(KeysOfAReader, areNoReadWhereTheRestIsAsLongAsOne) {
   read("04A1B2C3D4E5F6");
-  QTest::keyClicks(&field, "04A1B2");
+  keysAt("04A1B2", 5000);
   ASSERT_TRUE(QTest::qWaitFor([&] { return field.text() == "04A1B2"; })) << "a person's, for all that it knows";
-  read("C3D4E5F6");
+  keysAt("C3D4E5F6", 5700);
+  QTest::keyClick(&field, Qt::Key_Return);
   EXPECT_EQ(said(), (QStringList{"04A1B2C3D4E5F6", "part C3D4E5F6"}));
 }
 
@@ -113,18 +108,19 @@ TEST_F(KeysOfAReader, areTwoReadsByTheirOwnTimesWhenTheyCameAtOnce) {
 }
 
 TEST_F(KeysOfAReader, areTakenBackWhereTheRestFollows) {
-  QTest::keyClicks(&field, "04A1B2C3");
+  keysAt("04A1B2C3", 5000);
   ASSERT_TRUE(typed.wait(5000));
-  QTest::keyClicks(&field, "D4E5F6");
+  keysAt("D4E5F6", 5700);
   ASSERT_TRUE(torn.wait(5000));
   EXPECT_EQ(said(), (QStringList{"04A1B2C3", "not 04A1B2C3"}));
   EXPECT_EQ(field.text(), "");
 }
 
 TEST_F(KeysOfAReader, areTakenBackWhereItSendsEnterAfterAll) {
-  QTest::keyClicks(&field, "04A1B2C3");
+  keysAt("04A1B2C3", 5000);
   ASSERT_TRUE(typed.wait(5000));
-  read("D4E5F6");
+  keysAt("D4E5F6", 5700);
+  QTest::keyClick(&field, Qt::Key_Return);
   EXPECT_EQ(said(), (QStringList{"04A1B2C3", "not 04A1B2C3"}));
   read("04A1B2C3D4E5F6");
   EXPECT_EQ(typed.count(), 2);

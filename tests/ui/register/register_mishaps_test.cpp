@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "counter.h"
+#include "keys_at.h"
 
 namespace tessera::ui {
 namespace {
@@ -23,14 +24,13 @@ TEST_F(Counter, registersNoPartOfAUid) {
 TEST_F(Counter, takesAPartOfAUidBackThatAReaderWithoutEnterSent) {
   click("startScan");
   const auto first = registrar.place();
-  QTest::keyClicks(QApplication::focusWidget(), "04A1B2C3");
+  test::keysAt(*QApplication::focusWidget(), "04A1B2C3", 5000);
   ASSERT_TRUE(QTest::qWaitFor([&] { return registered() == 1; }));
-  QTest::keyClicks(QApplication::focusWidget(), "D4E5F6");
+  test::keysAt(*QApplication::focusWidget(), "D4E5F6", 5700);
   ASSERT_TRUE(QTest::qWaitFor([&] { return registered() == 0; }));
   EXPECT_EQ(said("scanNotice"), "Only a part of a UID came: 04A1B2C3 was taken back. Hold the card again.");
   EXPECT_EQ(registrar.place(), first);
-  QTest::qWait(KeyboardReader::kRestMs + 100);
-  QTest::keyClicks(QApplication::focusWidget(), "04A1B2C3D4E5F6");
+  test::keysAt(*QApplication::focusWidget(), "04A1B2C3D4E5F6", 8000);
   ASSERT_TRUE(QTest::qWaitFor([&] { return registered() == 1; }));
   EXPECT_EQ(uids(0), std::vector<std::string>{"04A1B2C3D4E5F6"});
 }
