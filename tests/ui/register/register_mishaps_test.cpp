@@ -11,9 +11,10 @@ TEST_F(Counter, registersNoPartOfAUid) {
   click("startScan");
   type("04A1B2C3D4E5F6");
   const auto second = registrar.place();
-  QTest::keyClicks(QApplication::focusWidget(), "04A1B2C4");
+  test::keysAt(*QApplication::focusWidget(), "04A1B2C4", 5000);
   ASSERT_TRUE(QTest::qWaitFor([&] { return said("scanNotice").startsWith("Only a part"); }));
-  type("d4e5f6");
+  test::keysAt(*QApplication::focusWidget(), "d4e5f6", 5700);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
   EXPECT_EQ(said("scanNotice"), "Only a part of a UID came: 04A1B2C4. Hold the card again.");
   EXPECT_EQ(registered(), 1U);
   EXPECT_EQ(registrar.place(), second);
