@@ -1,6 +1,5 @@
 #include "ui/calibrate/calibrate_panel.h"
 
-#include <QEvent>
 #include <QHeaderView>
 #include <QLocale>
 #include <algorithm>
@@ -12,7 +11,6 @@
 namespace tessera::ui {
 namespace {
 
-constexpr int kRefreshEveryMs = 200;
 constexpr double kMmPerM = 1000.0;
 constexpr int kEnoughTurns = 3;  // half turns, before a drive tells of offsets
 
@@ -20,21 +18,10 @@ constexpr int kEnoughTurns = 3;  // half turns, before a drive tells of offsets
 
 CalibratePanel::CalibratePanel(Calibration& work, FleetLink& fleet, Selection& selection, SiteDocument& document,
                                QWidget* parent)
-    : QWidget{parent},
-      work_{work},
-      fleet_{fleet},
-      selection_{selection},
-      document_{document},
-      throttle_{kRefreshEveryMs, [this] { refresh(); }} {
+    : CalibrationPanel{fleet, selection, document, parent}, work_{work} {
   setObjectName(QStringLiteral("calibratePanel"));
   build();
-  connect(&work_, &Calibration::changed, this, &CalibratePanel::refresh);
-  connect(&fleet_, &FleetLink::snapshotChanged, this, [this] {
-    if (isVisible()) throttle_.request();
-  });
-  connect(&selection_, &Selection::vehicleChanged, this, &CalibratePanel::refresh);
-  connect(&document_, &SiteDocument::changed, this, &CalibratePanel::refresh);
-  retranslate();
+  begin(work_);
 }
 
 void CalibratePanel::build() {
@@ -74,18 +61,12 @@ void CalibratePanel::build() {
   auto* right = new QVBoxLayout;
   right->addWidget(table_, 1);
   right->addLayout(last);
-  sides_ = new QBoxLayout{QBoxLayout::TopToBottom, this};
   sides_->addLayout(left, 2);
   sides_->addLayout(right, 3);
   connect(figure_, &QPushButton::clicked, this, &CalibratePanel::drawFigure);
   connect(record_, &QPushButton::clicked, this, &CalibratePanel::record);
   connect(reset_, &QPushButton::clicked, &work_, &Calibration::clear);
   connect(accept_, &QPushButton::clicked, this, &CalibratePanel::accept);
-}
-
-void CalibratePanel::resizeEvent(QResizeEvent* event) {
-  QWidget::resizeEvent(event);
-  sides_->setDirection(width() > height() ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }
 
 QString CalibratePanel::name() const {
@@ -216,11 +197,6 @@ void CalibratePanel::retranslate() {
   table_->setHorizontalHeaderLabels({tr("What"), tr("Entered"), tr("Found"), tr("Deviation (1 σ)")});
   table_->setAccessibleName(tr("What was found, beside what is entered"));
   refresh();
-}
-
-void CalibratePanel::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange || event->type() == QEvent::LocaleChange) retranslate();
-  QWidget::changeEvent(event);
 }
 
 }  // namespace tessera::ui

@@ -2,20 +2,17 @@
 // button that enters it into the site.
 #pragma once
 
-#include <QBoxLayout>
 #include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
-#include <QWidget>
 
-#include "ui/base/selection.h"
-#include "ui/base/throttle.h"
 #include "ui/calibrate/calibration.h"
+#include "ui/calibrate/calibration_panel.h"
 
 namespace tessera::ui {
 
-class CalibratePanel : public QWidget {
+class CalibratePanel : public CalibrationPanel {
   Q_OBJECT
 public:
   /// All must outlive it.
@@ -26,16 +23,12 @@ Q_SIGNALS:
   /// One sentence: why something was not done.
   void refused(const QString& sentence);
 
-protected:
-  void changeEvent(QEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
-
 private:
   enum Column { What, Entered, Found, Deviation, Columns };
 
   void build();
-  void retranslate();
-  void refresh();
+  void retranslate() override;
+  void refresh() override;
   void fillTable();
   void setRow(int row, const QString& what, double entered, double found, double deviation, int decimals, bool told);
   void setCell(int row, Column column, const QString& text);
@@ -48,12 +41,6 @@ private:
   [[nodiscard]] bool tells() const;
 
   Calibration& work_;
-  FleetLink& fleet_;
-  Selection& selection_;
-  SiteDocument& document_;
-  QBoxLayout* sides_ = nullptr;
-  QLabel* name_ = nullptr;
-  QLabel* hint_ = nullptr;
   QLabel* progress_ = nullptr;
   QPushButton* figure_ = nullptr;
   QPushButton* record_ = nullptr;
@@ -61,7 +48,6 @@ private:
   QPushButton* accept_ = nullptr;
   QCheckBox* wheels_ = nullptr;
   QTableWidget* table_ = nullptr;
-  Throttle throttle_;
 };
 
 }  // namespace tessera::ui

@@ -1,6 +1,5 @@
 #include "ui/calibrate/compass_panel.h"
 
-#include <QEvent>
 #include <QHideEvent>
 #include <QLocale>
 #include <cmath>
@@ -9,29 +8,13 @@
 #include "ui/calibrate/panel_parts.h"
 
 namespace tessera::ui {
-namespace {
-
-constexpr int kLookEveryMs = 200;
-
-}  // namespace
 
 CompassPanel::CompassPanel(CompassSurvey& work, FleetLink& fleet, Selection& selection, SiteDocument& document,
                            QWidget* parent)
-    : QWidget{parent},
-      work_{work},
-      fleet_{fleet},
-      selection_{selection},
-      document_{document},
-      throttle_{kLookEveryMs, [this] { refresh(); }} {
+    : CalibrationPanel{fleet, selection, document, parent}, work_{work} {
   setObjectName(QStringLiteral("compassPanel"));
   build();
-  connect(&work_, &CompassSurvey::changed, this, &CompassPanel::refresh);
-  connect(&fleet_, &FleetLink::snapshotChanged, this, [this] {
-    if (isVisible()) throttle_.request();
-  });
-  connect(&selection_, &Selection::vehicleChanged, this, &CompassPanel::refresh);
-  connect(&document_, &SiteDocument::changed, this, &CompassPanel::refresh);
-  retranslate();
+  begin(work_);
 }
 
 void CompassPanel::build() {
@@ -56,17 +39,11 @@ void CompassPanel::build() {
   left->addWidget(result_);
   left->addWidget(figures_);
   left->addStretch();
-  sides_ = new QBoxLayout{QBoxLayout::TopToBottom, this};
   sides_->addLayout(left, 1);
   sides_->addWidget(chart_, 1);
   connect(turn_, &QPushButton::clicked, this, &CompassPanel::startOrStop);
   connect(write_, &QPushButton::clicked, &work_, &CompassSurvey::write);
   connect(restore_, &QPushButton::clicked, &work_, &CompassSurvey::restore);
-}
-
-void CompassPanel::resizeEvent(QResizeEvent* event) {
-  QWidget::resizeEvent(event);
-  sides_->setDirection(width() > height() ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }
 
 void CompassPanel::hideEvent(QHideEvent* event) {
@@ -147,11 +124,6 @@ void CompassPanel::retranslate() {
   restore_->setText(tr("Old values back"));
   restore_->setToolTip(tr("What stood in the vehicle before, as long as the program runs"));
   refresh();
-}
-
-void CompassPanel::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange) retranslate();
-  QWidget::changeEvent(event);
 }
 
 }  // namespace tessera::ui

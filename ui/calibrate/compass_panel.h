@@ -2,20 +2,16 @@
 // is, and the buttons that write it into the vehicle or bring back what stood there before.
 #pragma once
 
-#include <QBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QWidget>
 
-#include "ui/base/selection.h"
-#include "ui/base/site_document.h"
-#include "ui/base/throttle.h"
+#include "ui/calibrate/calibration_panel.h"
 #include "ui/calibrate/compass_survey.h"
 #include "ui/calibrate/field_chart.h"
 
 namespace tessera::ui {
 
-class CompassPanel : public QWidget {
+class CompassPanel : public CalibrationPanel {
   Q_OBJECT
 public:
   /// All must outlive it.
@@ -23,15 +19,13 @@ public:
                QWidget* parent = nullptr);
 
 protected:
-  void changeEvent(QEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
   /// Nothing turns on behind a panel that is no longer looked at.
   void hideEvent(QHideEvent* event) override;
 
 private:
   void build();
-  void retranslate();
-  void refresh();
+  void retranslate() override;
+  void refresh() override;
   void startOrStop();
   [[nodiscard]] QString name() const;
   [[nodiscard]] QString whatNow() const;
@@ -39,19 +33,12 @@ private:
   [[nodiscard]] bool mayTurn() const;
 
   CompassSurvey& work_;
-  FleetLink& fleet_;
-  Selection& selection_;
-  SiteDocument& document_;
-  QBoxLayout* sides_ = nullptr;
-  QLabel* name_ = nullptr;
-  QLabel* hint_ = nullptr;
   QLabel* figures_ = nullptr;
   QPushButton* turn_ = nullptr;
   QPushButton* write_ = nullptr;
   QPushButton* restore_ = nullptr;
   Notice* result_ = nullptr;
   FieldChart* chart_ = nullptr;
-  Throttle throttle_;
 };
 
 }  // namespace tessera::ui

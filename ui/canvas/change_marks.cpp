@@ -171,20 +171,11 @@ void paintChanges(QPainter& painter, const View& view, const CanvasTheme& theme,
 
 void ChangeLayer::set(ChangeMarks marks) {
   marks_ = std::move(marks);
-  picture_ = {};
+  picture_.forget();
 }
 
 void ChangeLayer::paint(QPainter& painter, const View& view, const CanvasTheme& theme) {
-  if (picture_.isNull() || !(view_ == view) || dark_ != theme.dark) {
-    view_ = view;
-    dark_ = theme.dark;
-    picture_ = QPixmap{(view.size() * view.devicePixelRatio()).toSize()};
-    picture_.setDevicePixelRatio(view.devicePixelRatio());
-    picture_.fill(Qt::transparent);
-    QPainter keeping{&picture_};
-    paintChanges(keeping, view, theme, marks_);
-  }
-  painter.drawPixmap(QPointF{}, picture_);
+  picture_.paint(painter, view, theme, [&](QPainter& keeping) { paintChanges(keeping, view, theme, marks_); });
 }
 
 double paintChangeLegend(QPainter& painter, const View& view, const CanvasTheme& theme, const ChangeMarks& changes) {

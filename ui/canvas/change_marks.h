@@ -3,11 +3,11 @@
 #pragma once
 
 #include <QPainter>
-#include <QPixmap>
 #include <QString>
 #include <optional>
 #include <vector>
 
+#include "ui/canvas/layer_picture.h"
 #include "ui/canvas/theme.h"
 #include "ui/canvas/view.h"
 
@@ -37,7 +37,6 @@ struct ChangeMarks {
 
 void paintChanges(QPainter& painter, const View& view, const CanvasTheme& theme, const ChangeMarks& changes);
 
-/// Keeps the marks as a picture as long as the view stays: vehicles that drive beneath cost no more than without them.
 class ChangeLayer {
 public:
   void set(ChangeMarks marks);
@@ -46,9 +45,7 @@ public:
 
 private:
   ChangeMarks marks_;
-  QPixmap picture_;
-  View view_;
-  bool dark_ = false;
+  LayerPicture picture_;
 };
 
 /// Names the looks that occur, in the window's upper left corner. Gives how far down it reaches.

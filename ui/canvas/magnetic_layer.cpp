@@ -35,7 +35,12 @@ QColor colourOf(double share, bool dark) {
 
 void MagneticLayer::set(std::shared_ptr<const locate::MagneticMap> map) {
   map_ = std::move(map);
-  picture_ = {};
+  picture_.forget();
+  full_.reset();
+}
+
+double MagneticLayer::fullDegrees() const {
+  if (full_) return *full_;
   double most = 0.0;
   if (map_)
     map_->forEach([&](locate::MagneticNode, const locate::MagneticValue& value) {
@@ -43,31 +48,26 @@ void MagneticLayer::set(std::shared_ptr<const locate::MagneticMap> map) {
     });
   const auto scale = std::find_if(kFullScales.begin(), kFullScales.end(), [most](double s) { return s >= most; });
   full_ = scale == kFullScales.end() ? kFullScales.back() : *scale;
+  return *full_;
 }
 
 void MagneticLayer::paint(QPainter& painter, const View& view, const CanvasTheme& theme) {
   if (!map_ || map_->empty()) return;
-  if (picture_.isNull() || !(view_ == view) || dark_ != theme.dark) {
-    view_ = view;
-    dark_ = theme.dark;
-    picture_ = QPixmap{(view.size() * view.devicePixelRatio()).toSize()};
-    picture_.setDevicePixelRatio(view.devicePixelRatio());
-    picture_.fill(Qt::transparent);
-    QPainter keeping{&picture_};
+  picture_.paint(painter, view, theme, [&](QPainter& keeping) {
     const QRectF window{QPointF{}, view.size()};
     const Metres half = 0.5 * locate::MagneticMap::kSpacing;
+    const double full = fullDegrees();
     map_->forEach([&](locate::MagneticNode node, const locate::MagneticValue& value) {
       if (value.known() < kWorthSeeing) return;
       const Point middle = locate::MagneticMap::placeOf(node);
       const QRectF cell{view.toPixel({middle.x - half, middle.y + half}),
                         view.toPixel({middle.x + half, middle.y - half})};
       if (!cell.intersects(window)) return;
-      QColor colour = colourOf(degrees(Radians{value.deviation}) / full_, theme.dark);
+      QColor colour = colourOf(degrees(Radians{value.deviation}) / full, theme.dark);
       colour.setAlphaF(static_cast<float>(kMostOpaque * std::min(1.0, 0.25 + value.known())));
       keeping.fillRect(cell, colour);
     });
-  }
-  painter.drawPixmap(QPointF{}, picture_);
+  });
 }
 
 void MagneticLayer::paintLegend(QPainter& painter, const View& view, const CanvasTheme& theme, double below) const {
@@ -102,9 +102,9 @@ void MagneticLayer::paintLegend(QPainter& painter, const View& view, const Canva
   const QLocale locale;
   const auto angle = [&](double value) { return tr("%1°").arg(locale.toString(value, 'g', 3)); };
   row = {row.left(), bar.bottom() + 0.1 * line, wide, line};
-  painter.drawText(row, Qt::AlignLeft, tr("left %1").arg(angle(full_)));
+  painter.drawText(row, Qt::AlignLeft, tr("left %1").arg(angle(fullDegrees())));
   painter.drawText(row, Qt::AlignHCenter, angle(0.0));
-  painter.drawText(row, Qt::AlignRight, tr("right %1").arg(angle(full_)));
+  painter.drawText(row, Qt::AlignRight, tr("right %1").arg(angle(fullDegrees())));
 }
 
 QString MagneticLayer::textAt(Point place) const {

@@ -4,10 +4,11 @@
 
 #include <QCoreApplication>
 #include <QPainter>
-#include <QPixmap>
 #include <QString>
 #include <memory>
+#include <optional>
 
+#include "ui/canvas/layer_picture.h"
 #include "ui/canvas/theme.h"
 #include "ui/canvas/view.h"
 
@@ -17,7 +18,6 @@ class MagneticMap;
 
 namespace tessera::ui {
 
-/// Keeps the map as a picture as long as view and map stay: vehicles that drive over it cost no more than without.
 class MagneticLayer {
   Q_DECLARE_TR_FUNCTIONS(tessera::ui::MagneticLayer)
 public:
@@ -30,14 +30,12 @@ public:
   /// What is known of the place: deviation, its doubt, visits. Empty: nothing.
   [[nodiscard]] QString textAt(Point place) const;
   /// The deviation, in degrees, that has the strongest colour.
-  [[nodiscard]] double fullDegrees() const { return full_; }
+  [[nodiscard]] double fullDegrees() const;
 
 private:
   std::shared_ptr<const locate::MagneticMap> map_;
-  double full_ = 5.0;
-  QPixmap picture_;
-  View view_;
-  bool dark_ = false;
+  mutable std::optional<double> full_;  ///< found when it is first asked for: maps come often, and mostly unseen
+  LayerPicture picture_;
 };
 
 }  // namespace tessera::ui
