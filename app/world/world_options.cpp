@@ -60,7 +60,7 @@ void addWorldConditions(CLI::App& app, WorldOptions& o) {
   app.add_option("--dead-tags", o.deadTags, "Share of the site's tags that no reader sees (default 0)")
       ->group("World")
       ->check(probability);
-  app.add_option("--slip", o.slip, "Mean share of the way that wheels lose at full duty (default 0)")
+  app.add_option("--slip", o.slip, "Mean share of the way that wheels turn without driving it (default 0)")
       ->group("World")
       ->check(CLI::Range{0.0, 0.5});
   app.add_option("--tyre-difference", o.tyreDifference,

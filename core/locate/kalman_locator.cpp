@@ -263,6 +263,9 @@ Estimate KalmanLocator::at(Seconds now) const {
   estimate.pose.heading = wrapped(Radians{sample.heading - x(KalmanFilter::kBias)});
   estimate.pose.position = {Metres{x(KalmanFilter::kX)}, Metres{x(KalmanFilter::kY)}};
   estimate.covariance = filter.poseCovariance(options_);
+  estimate.scale = filter.covariance().col(KalmanFilter::kScale) / x(KalmanFilter::kScale);
+  estimate.scale(KalmanFilter::kBias) *= -1.0;
+  estimate.scale(KalmanFilter::kScale) /= x(KalmanFilter::kScale);
   estimate.speed = MetresPerSecond{sample.speed * x(KalmanFilter::kScale)};
   estimate.turnRate = RadiansPerSecond{sample.turnRate};
   estimate.located = filter.placed() && !from.doubted && estimate.positionSigma() < Metres{options_.largestSigma};

@@ -23,6 +23,9 @@ struct Estimate {
   Pose pose;  ///< of the middle between the driven wheels; the heading is the true one, the compass' bias taken out
   Eigen::Matrix3d covariance =
       Eigen::Matrix3d::Zero();  ///< of x, y (m²) and heading (rad²); means nothing unless located
+  /// What is unknown of the odometer's scale, as a share of it: its covariances with x, y (m) and heading (rad), and
+  /// its variance. A vehicle that is rolled on from here comes by as much too far. Zero: the locator has no such state.
+  Eigen::Vector4d scale = Eigen::Vector4d::Zero();
   /// Reported heading minus true heading. A vehicle holds its own compass' heading: send pose heading + headingBias.
   Radians headingBias;
   MetresPerSecond speed;  ///< along the heading, after the correction of the odometer's scale

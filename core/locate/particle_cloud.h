@@ -20,11 +20,11 @@ struct ParticleOptions {
   double biasSigma = 0.07;          ///< rad, of the compass bias at the start
   double biasPerRootMetre = 0.08;   ///< rad/√m: the floor's magnetic field changes from place to place
   double biasPerTurn = 0.02;        ///< rad per rad: what is left of soft iron changes with the heading
-  double wear = 0.012;              ///< share, of the odometer's scale that stays as it is: the wheels' diameter
+  double wear = 0.08;               ///< share, of the odometer's scale that stays: wheels' diameter, lasting slip
   double leastUnrest = 0.015;       ///< share by which the scale wanders (slip), as the calmest particles have it ...
   double mostUnrest = 0.15;         ///< ... and the wildest
   std::size_t levels = 3;           ///< of unrest, from the one to the other, with as many particles each
-  double levelChange = 0.01;        ///< chance, from resampling to resampling, that the unrest is another
+  double levelChange = 0.03;        ///< chance, from resampling to resampling, that the unrest is another
   double scaleMemory = 0.5;         ///< s, over which that wandering is forgotten
   double slipPerRootMetre = 0.002;  ///< m/√m, of the wheels, in each direction
   double turnShare = 0.1;           ///< of a heading change between two samples: doubt about the direction meanwhile
@@ -32,7 +32,7 @@ struct ParticleOptions {
   // What a reader sees.
   double rim = 0.0055;  ///< m, logistic width of the disc's edge
   double instant =
-      0.015;  ///< s, by which the instants of attempts are off: blurs the edge the more, the faster it goes
+      0.010;  ///< s, by which the instants of attempts are off: blurs the edge the more, the faster it goes
   double detection = 0.82;  ///< chance that an attempt inside the disc succeeds; a little below the truth is safe
   double deadTag = 0.02;    ///< chance that a tag of the map answers nobody
   double readLag = 0.020;   ///< s from a reader's asking the floor to the instant told: its result waits for the bus

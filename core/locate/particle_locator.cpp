@@ -288,6 +288,9 @@ Estimate ParticleLocator::at(Seconds now) const {
   estimate.covariance = moments_.covariance.topLeftCorner<3, 3>();
   estimate.covariance.row(2) *= -1.0;
   estimate.covariance.col(2) *= -1.0;
+  estimate.scale = moments_.covariance.col(3) / moments_.mean(3);
+  estimate.scale(2) *= -1.0;
+  estimate.scale(3) /= moments_.mean(3);
   estimate.speed = MetresPerSecond{sample.speed * moments_.mean(3)};
   estimate.turnRate = RadiansPerSecond{sample.turnRate};
   estimate.located = placed_ && estimate.positionSigma() < Metres{options_.largestSigma} && now.value() >= lostUntil_;

@@ -48,8 +48,7 @@ double Plant::groundSpeed(Wheel& wheel, double dt) {
   // First-order Gauss-Markov process: standard deviation and correlation time do not depend on the step.
   const double keep = std::exp(-dt / parameters_.slipMemory.value());
   wheel.slip = keep * wheel.slip + random_.normal(parameters_.slipWander * std::sqrt(1.0 - keep * keep));
-  const double share = std::abs(wheel.surfaceSpeed) / parameters_.speedAtFullDuty.value();
-  return wheel.surfaceSpeed * (1.0 - parameters_.slip * share + wheel.slip + commonSlip_);
+  return wheel.surfaceSpeed * (1.0 - parameters_.slip + wheel.slip + commonSlip_);
 }
 
 void Plant::wander(double dt) {

@@ -25,7 +25,7 @@ struct PlantParameters {
   double scaleError = 0.01;               ///< standard deviation of both wheels' common diameter error
   double scaleDifference = 0.003;         ///< standard deviation of each wheel's own diameter error
   double tyreDifference = 0.0;            ///< right tyre larger than the left one by this share; encoders do not see it
-  double slip = 0.0;                      ///< mean share of the way lost at full-duty speed, less when slower
+  double slip = 0.0;                      ///< mean share of the way that the wheels turn without driving it
   double slipWander = 0.02;               ///< standard deviation of each wheel's slowly changing slip
   double speedNoise = 0.0;                ///< the same of both wheels together: a floor that gives way, wet tyres
   Seconds slipMemory{0.5};                ///< correlation time of each wheel's own

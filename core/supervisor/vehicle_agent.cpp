@@ -16,12 +16,19 @@ constexpr double kExpiryCycles = 3.0;
 constexpr MetresPerSecond kStanding{0.005};
 constexpr RadiansPerSecond kStandingTurn{0.1};  // the compass is noisy
 
-/// A way driven with a heading that is not quite known leads aside by as much.
-Eigen::Matrix3d rolledOn(const Eigen::Matrix3d& covariance, Offset way) {
-  Eigen::Matrix3d slope = Eigen::Matrix3d::Identity();
+/// A way driven with a heading that is not quite known leads aside by as much, and with a scale, too far or not far
+/// enough.
+Eigen::Matrix3d rolledOn(const locate::Estimate& from, Offset way) {
+  Eigen::Matrix4d known = Eigen::Matrix4d::Zero();
+  known.topLeftCorner<3, 3>() = from.covariance;
+  known.col(3) = from.scale;
+  known.row(3) = from.scale.transpose();
+  Eigen::Matrix<double, 3, 4> slope = Eigen::Matrix<double, 3, 4>::Identity();
   slope(0, 2) = -way.y.value();
   slope(1, 2) = way.x.value();
-  return slope * covariance * slope.transpose();
+  slope(0, 3) = way.x.value();
+  slope(1, 3) = way.y.value();
+  return slope * known * slope.transpose();
 }
 
 }  // namespace
@@ -224,7 +231,7 @@ VehicleView VehicleAgent::view(Seconds now, const PortView& port, const link::Li
   v.pose = rolled.pose;
   v.predicted = predicted_;
   const Offset way = rolled.pose.position - estimate_.pose.position;
-  const Eigen::Matrix3d covariance = rolledOn(estimate_.covariance, way);
+  const Eigen::Matrix3d covariance = rolledOn(estimate_, way);
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)
       v.covariance[static_cast<std::size_t>(3 * row + column)] = covariance(row, column);

@@ -175,6 +175,45 @@ TEST(Consistency, countsTicksThatRepeatEachOtherOnce) {
   EXPECT_LT(c.independent, 700.0);
 }
 
+// A run's errors, as large as claimed, that last: each of two axes is forgotten over `memory` s, ticks of 0.1 s.
+std::vector<double> lasting(std::mt19937& random, double memory, std::size_t ticks) {
+  std::normal_distribution<double> normal;
+  const double keep = std::exp(-0.1 / memory);
+  const double fresh = std::sqrt(1.0 - keep * keep);
+  double x = normal(random);
+  double y = normal(random);
+  std::vector<double> nees;
+  for (std::size_t i = 0; i < ticks; ++i) {
+    nees.push_back(x * x + y * y);
+    x = keep * x + fresh * normal(random);
+    y = keep * y + fresh * normal(random);
+  }
+  return nees;
+}
+
+TEST(Consistency, holdsInAboutNinetyFiveOfAHundredHonestRunsWhoseErrorsLast) {
+  std::mt19937 random{11};
+  for (const auto& [memory, ticks] : {std::pair{0.5, 480}, {1.0, 480}, {1.5, 480}, {0.5, 150}}) {
+    int held = 0;
+    constexpr int kRuns = 1000;
+    for (int run = 0; run < kRuns; ++run)
+      held += consistencyOf(lasting(random, memory, static_cast<std::size_t>(ticks))).holds() ? 1 : 0;
+    EXPECT_GT(held, 920) << memory << " s";
+    EXPECT_LT(held, 970) << memory << " s";
+  }
+}
+
+TEST(Consistency, isRefusedToMostRunsThatClaimTwoThirdsOfTheVariance) {
+  std::mt19937 random{12};
+  int held = 0;
+  for (int run = 0; run < 200; ++run) {
+    std::vector<double> nees = lasting(random, 1.0, 480);
+    for (double& e : nees) e *= 1.5;
+    held += consistencyOf(nees).holds() ? 1 : 0;
+  }
+  EXPECT_LT(held, 60);
+}
+
 TEST(Consistency, isNoneWithoutACovariance) {
   EXPECT_FALSE(neesOf(Sample{}).has_value());
   EXPECT_FALSE(consistencyOf({}).holds());

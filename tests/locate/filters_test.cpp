@@ -69,5 +69,19 @@ TEST_P(EitherFilter, isNotLedAstrayByTagsThatLieElsewhereThanTheMapSays) {
   }
 }
 
+TEST_P(EitherFilter, tellsWhatItDoesNotKnowOfItsScaleToWhoeverRollsItOn) {
+  const auto locator = GetParam().make(paperMap(), Pose{{Metres{0.3}, Metres{0.3}}, Radians{0.0}});
+  double way = 0.0;
+  for (int i = 0; i <= 50; ++i, way = 0.01 * i)
+    locator->add(locate::Motion{Seconds{0.1 * i}, Metres{way}, MetresPerSecond{0.1}, Radians{0.0}});
+  const locate::Estimate e = locator->at(Seconds{5.0});
+  // It has driven half a metre without a tag: by as much as its scale is off it is too far already, but for what of
+  // the scale wandered.
+  EXPECT_GT(e.scale(3), 1e-4);
+  EXPECT_GT(e.scale(0), 0.2 * e.scale(3));
+  EXPECT_LT(e.scale(0), 0.6 * e.scale(3));
+  EXPECT_NEAR(e.scale(1), 0.0, 0.1 * e.scale(3));
+}
+
 }  // namespace
 }  // namespace tessera::test

@@ -59,6 +59,17 @@ TEST(Commissioning, leavesTheErrorOfTheChipsMounting) {
   EXPECT_LT(worst, 4.0);
 }
 
+TEST(Commissioning, isDoneOnADryFloorAndAgainWhereTheCompassIsNoisy) {
+  BodyParameters body = bodyParametersFor(testVehicle());
+  body.plant.slip = 0.2;
+  body.plant.speedNoise = 0.2;
+  body.compass.noise = kEarthHorizontal * fromDegrees(2.0).value();
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const auto image = commissionEeprom(testVehicle(), siteToNorth(0.0), body, seed);
+    EXPECT_TRUE(image) << seed << ": " << image.error().sentence;
+  }
+}
+
 TEST(Commissioning, makesTheSameImageForTheSameSeed) {
   const BodyParameters body = bodyParametersFor(testVehicle());
   const auto once = commissionEeprom(testVehicle(), siteToNorth(0.0), body, 5);
