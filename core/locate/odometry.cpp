@@ -29,7 +29,8 @@ void Odometry::join(std::size_t index) {
   Sample& sample = samples_[index];
   sample.heading = before.heading + wrapped(Radians{sample.heading - before.heading}).value();
   const double time = sample.at - before.at;
-  sample.turnRate = time > kShortest ? (sample.heading - before.heading) / time : before.turnRate;
+  sample.turn = sample.heading - before.heading;
+  sample.turnRate = time > kShortest ? sample.turn / time : before.turnRate;
 }
 
 bool Odometry::add(const Motion& motion) {
@@ -76,6 +77,7 @@ Odometry::Sample Odometry::at(double instant) const {
     sample.heading += part * (after.heading - sample.heading);
     sample.speed += part * (after.speed - sample.speed);
     sample.turnRate = after.turnRate;
+    sample.turn = after.turn;
   }
   sample.at = instant;
   return sample;

@@ -16,7 +16,8 @@ public:
     double travel = 0.0;    ///< m, continuous: jumps that no vehicle can make are taken out
     double heading = 0.0;   ///< rad, unwrapped
     double speed = 0.0;     ///< m/s
-    double turnRate = 0.0;  ///< rad/s, over the interval that ends at this sample
+    double turnRate = 0.0;  ///< rad/s, over the interval that ends at this sample, or that it lies in ...
+    double turn = 0.0;      ///< ... and rad, by which it turned in the whole of that interval
   };
 
   /// fastest: a travel that would need more speed than this is a restarted odometer, not a movement.

@@ -27,7 +27,7 @@ struct ParticleOptions {
   double levelChange = 0.03;        ///< chance, from resampling to resampling, that the unrest is another
   double scaleMemory = 0.5;         ///< s, over which that wandering is forgotten
   double slipPerRootMetre = 0.002;  ///< m/√m, of the wheels, in each direction
-  double turnShare = 0.1;           ///< of a heading change between two samples: doubt about the direction meanwhile
+  double turnShare = 0.1;           ///< of a heading change between two samples: doubt about the heading meanwhile
   double longestPiece = 0.02;       ///< m, of the way that is moved at once
   // What a reader sees.
   double rim = 0.0055;  ///< m, logistic width of the disc's edge

@@ -12,7 +12,6 @@ constexpr double kCloudMargin = 0.02;       // s before the instant up to which 
 constexpr double kCloudVague = 0.12;        // m; a place less known than this makes silence say nothing
 constexpr std::size_t kCloudMostTags = 8;   // near one reader
 constexpr double kCloudSpread = 3.5;        // deviations of the place within which tags matter
-constexpr double kCloudNoWay = 1e-6;        // m
 constexpr std::uint64_t kCloudKey = 0x7E55E2A;
 constexpr std::uint64_t kRivalKey = 0x51BA1;
 
@@ -110,37 +109,6 @@ void ParticleLocator::add(const TagRead& read) {
     return;
   }
   take(read.reader, tag, read.at.value());
-}
-
-ReaderThen ParticleLocator::readerThen(int reader, double at) const {
-  const double then = at - options_.readLag;
-  const Odometry::Sample sample = odometry_.at(then);
-  const Offset mount = turned(vehicle_.readers[static_cast<std::size_t>(reader)], Radians{sample.heading});
-  ReaderThen result;
-  result.lever = {mount.x.value(), mount.y.value()};
-  result.rim = std::abs(sample.speed) * options_.instant;
-  const double now = odometry_.last().value();
-  result.way = wayBetween(then, now);
-  if (then < cloudFrom_) {
-    result.before = wayBetween(then, cloudFrom_);
-    result.back = 1.0;
-  } else if (then <= now) {
-    const double since = odometry_.at(now).travel - sample.travel;
-    const double whole = odometry_.at(now).travel - odometry_.at(cloudFrom_).travel;
-    result.back = std::abs(whole) > kCloudNoWay ? std::clamp(since / whole, 0.0, 1.0) : 0.0;
-  } else {
-    result.before = result.way;
-  }
-  return result;
-}
-
-Eigen::Vector2d ParticleLocator::wayBetween(double from, double to) const {
-  Eigen::Vector2d way = Eigen::Vector2d::Zero();
-  odometry_.walk(std::min(from, to), std::max(from, to), [&](const Odometry::Sample& a, const Odometry::Sample& b) {
-    const double heading = 0.5 * (a.heading + b.heading);
-    way += (b.travel - a.travel) * Eigen::Vector2d{std::cos(heading), std::sin(heading)};
-  });
-  return to < from ? Eigen::Vector2d{-way} : way;
 }
 
 void ParticleLocator::take(int reader, const Eigen::Vector2d& tag, double at) {
