@@ -284,10 +284,15 @@ std::shared_ptr<const Snapshot> Supervisor::Impl::picture(Seconds now) const {
   snapshot->time = now;
   snapshot->port = port;
   const link::AirTiming& timing = channel.timing();
-  snapshot->channel = {channel.cyclePeriod(),     Seconds{timing.slotUnits() * wire::kSlotUnitMs / 1000.0},
-                       timing.factor(),           channel.counters().frames,
-                       channel.counters().badCrc, channel.counters().skipped,
-                       noiseSinceHeard,           foreignSinceHeard};
+  snapshot->channel = {channel.cyclePeriod(),
+                       Seconds{timing.slotUnits() * wire::kSlotUnitMs / 1000.0},
+                       timing.factor(),
+                       timing.delay(),
+                       channel.counters().frames,
+                       channel.counters().badCrc,
+                       channel.counters().skipped,
+                       noiseSinceHeard,
+                       foreignSinceHeard};
   for (const VehicleAgent& agent : agents)
     snapshot->vehicles.push_back(agent.view(now, port, channel.peer(agent.id())->quality));
   for (const VehicleAgent& agent : agents)
