@@ -72,7 +72,8 @@ void AirTiming::measured(std::size_t sentBytes, std::size_t receivedBytes, Secon
 
 void AirTiming::called(std::size_t sentBytes, std::size_t receivedBytes, Seconds roundTrip) {
   const Seconds slowest = latency(sentBytes, kSlowestFactor) + latency(receivedBytes, kSlowestFactor);
-  if (roundTrip <= TripModel::kLongestTrip) called_ = std::max(0.0, (roundTrip - slowest).value());
+  const Seconds beyond = roundTrip - slowest;
+  if (beyond <= TripModel::kLongestExtra) called_ = std::max(0.0, beyond.value());
 }
 
 void AirTiming::missed() {

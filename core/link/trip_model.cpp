@@ -36,7 +36,7 @@ double TripModel::factorAtMost() const {
 void TripModel::measured(Seconds air, Seconds trip) {
   const double a = air.value();
   const double t = trip.value();
-  if (!(a > 0.0) || !(t > 0.0) || t > kLongestTrip.value()) return;
+  if (!(a > 0.0) || !(t > 0.0) || t > kLargestFactor * a + kLongestExtra.value()) return;
   if (!any_) {
     begin(a, t);
     return;

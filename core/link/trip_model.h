@@ -13,8 +13,9 @@ public:
   /// Modules of the field take 1 to 3.2 times the formula's airtime; nothing beyond these is believed.
   static constexpr double kSmallestFactor = 0.5;
   static constexpr double kLargestFactor = 4.0;
-  /// A round trip that takes longer says nothing about the radio: the machine slept. It is passed over.
-  static constexpr Seconds kLongestTrip{5.0};
+  /// A round trip with more beside the slowest airtime says nothing about the radio: the machine slept. It is passed
+  /// over.
+  static constexpr Seconds kLongestExtra{5.0};
 
   /// air: of both frames by the formula, above 0. trip: what of the round trip is neither UART nor the vehicle's own
   /// waiting.
