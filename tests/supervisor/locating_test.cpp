@@ -78,7 +78,7 @@ double doubtOfTime(const test::FakeAir::Options& options) {
           return along.dot(m * along) - across.dot(m * across);
         };
         sum += excess(rig.view(1).covariance) - excess(rig.last->watched->covariance);
-        return ++count == 150;
+        return ++count >= 150;
       },
       Seconds{60});
   EXPECT_TRUE(came);
