@@ -139,7 +139,8 @@ def print_table(arguments, results):
     if channels:
         mean = {name: statistics.fmean(c[name] for c in channels) for name in channels[0]}
         print(f"\nAt the runs' ends, on average: {1000 * mean['cycle_s']:.0f} ms between two commands to a vehicle, answer"
-              f" slots of {1000 * mean['slot_s']:.0f} ms, time on air {mean['air_factor']:.2f} times the formula's.")
+              f" slots of {1000 * mean['slot_s']:.0f} ms, time on air {mean['air_factor']:.2f} times the formula's,"
+              f" {1000 * mean['delay_s']:.0f} ms beside it each way.")
 
 
 def parse():

@@ -40,8 +40,10 @@ nlohmann::json summarise(const nlohmann::json& options, const std::vector<Outcom
   }
   summary["finished"] = finished;
   const supervisor::ChannelView& channel = recorder.channel();
-  summary["channel"] = {
-      {"cycle_s", channel.cycle.value()}, {"slot_s", channel.slot.value()}, {"air_factor", channel.airFactor}};
+  summary["channel"] = {{"cycle_s", channel.cycle.value()},
+                        {"slot_s", channel.slot.value()},
+                        {"air_factor", channel.airFactor},
+                        {"delay_s", channel.delay.value()}};
   summary["events"] = nlohmann::json::array();
   for (const auto& event : recorder.events()) {
     summary["events"].push_back({{"time_s", event.time.value()},

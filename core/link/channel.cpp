@@ -174,6 +174,8 @@ std::size_t Channel::sendCall(const Turn& turn, Seconds now, std::span<std::uint
   const std::size_t size = peer.session.hello(nonces_.next(), counter_, out);
   peer.calls.failed(now);
   ++peer.callsMade;
+  peer.callBytes = size;
+  peer.calledAt = now;
   departed(Turn::Kind::Call, std::span{turn.peers}.first(1), size, Seconds{}, now);
   return size;
 }

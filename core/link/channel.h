@@ -102,7 +102,7 @@ private:
   [[nodiscard]] std::optional<std::size_t> indexOf(VehicleId vehicle) const;
   void hear(const wire::Frame& frame);
   void hearReport(std::size_t index, const wire::Report& report, std::size_t frameBytes);
-  void hearIdentity(std::size_t index, const HeardIdentity& heard);
+  void hearIdentity(std::size_t index, const HeardIdentity& heard, std::size_t frameBytes);
   void hearHail(std::size_t index, const HeardHail& heard);
   void hearValue(std::size_t index, const wire::Value& value);
   void hearPairing(std::size_t index);

@@ -36,7 +36,7 @@ void Channel::hear(const wire::Frame& frame) {
   const VehicleId vehicle = peers_[i].session.vehicle();
   std::visit(Overloaded{
                  [&](Disbelief why) { disbelieve(i, why); },
-                 [&](const HeardIdentity& heard) { hearIdentity(i, heard); },
+                 [&](const HeardIdentity& heard) { hearIdentity(i, heard, bytes); },
                  [&](const HeardVersion& heard) {
                    came(i, std::nullopt);
                    events_.emplace_back(WrongVersion{vehicle, heard.protocol});
@@ -57,8 +57,11 @@ void Channel::came(std::size_t index, std::optional<std::uint16_t> ack) {
     if (flight_->answers[k].peer == index) flight_->answers[k].came = true;
 }
 
-void Channel::hearIdentity(std::size_t index, const HeardIdentity& heard) {
+void Channel::hearIdentity(std::size_t index, const HeardIdentity& heard, std::size_t frameBytes) {
   Peer& peer = peers_[index];
+  // It is the answer to the last call: an older one has another nonce.
+  if (peer.calledAt) timing_.called(peer.callBytes, frameBytes, lastByte_ - *peer.calledAt);
+  peer.calledAt.reset();
   came(index, std::nullopt);
   peer.silent = false;
   peer.callsMade = 0;
@@ -111,7 +114,8 @@ void Channel::hearReport(std::size_t index, const wire::Report& report, std::siz
   const Seconds sampledAt = lastByte_ - timing_.oneWay(frameBytes);
   TagStream::Taken taken = peer.tags.take(report, sampledAt);
   peer.quality.tagEventsLost += taken.lost;
-  events_.emplace_back(Reported{vehicle, report, lastByte_, sampledAt, std::move(taken.fresh), taken.lost});
+  events_.emplace_back(Reported{vehicle, report, lastByte_, sampledAt, timing_.oneWayDoubt(frameBytes),
+                                std::move(taken.fresh), taken.lost});
 }
 
 void Channel::hearValue(std::size_t index, const wire::Value& value) {

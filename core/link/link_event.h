@@ -42,7 +42,8 @@ struct Reported {
   VehicleId vehicle;
   wire::Report report;
   Seconds receivedAt;
-  Seconds sampledAt;  ///< when the vehicle made the report: receivedAt less the measured way through the air
+  Seconds sampledAt;     ///< when the vehicle made the report: receivedAt less the measured way through the air
+  Seconds sampledDoubt;  ///< standard deviation of sampledAt
   std::vector<TimedTagEvent> tags;
   unsigned tagEventsLost = 0;
 };

@@ -93,6 +93,8 @@ struct Peer {
   bool silent = false;                ///< a session stands, its answers stay away
   bool urgent = false;                ///< a Stop or Clear that is not acknowledged yet
   unsigned urgentTries = 0;           ///< of this Stop or Clear
+  std::size_t callBytes = 0;          ///< of the last call
+  std::optional<Seconds> calledAt;    ///< when the last call left; nullopt: it is answered
   std::optional<Seconds> quietSince;  ///< last sign of life, or start of listening; for silence
   std::optional<Seconds> lastCycle;   ///< when it was last part of a Cycle
 };

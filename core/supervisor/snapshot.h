@@ -123,6 +123,7 @@ struct ChannelView {
   Seconds cycle;           ///< smoothed time between two commands to the same vehicle
   Seconds slot;            ///< length of an answer slot
   double airFactor = 1.0;  ///< measured airtime over the formula's
+  Seconds delay;           ///< measured beside airtime, one way
   std::uint32_t frames = 0;
   std::uint32_t damaged = 0;
   std::uint32_t skippedBytes = 0;

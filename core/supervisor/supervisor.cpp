@@ -284,10 +284,10 @@ std::shared_ptr<const Snapshot> Supervisor::Impl::picture(Seconds now) const {
   snapshot->time = now;
   snapshot->port = port;
   const link::AirTiming& timing = channel.timing();
-  snapshot->channel = {channel.cyclePeriod(),     Seconds{timing.slotUnits() * wire::kSlotUnitMs / 1000.0},
-                       timing.factor(),           channel.counters().frames,
-                       channel.counters().badCrc, channel.counters().skipped,
-                       noiseSinceHeard,           foreignSinceHeard};
+  const auto& heard = channel.counters();
+  const Seconds slot{timing.slotUnits() * wire::kSlotUnitMs / 1000.0};
+  snapshot->channel = {channel.cyclePeriod(), slot,          timing.factor(), timing.delay(),   heard.frames,
+                       heard.badCrc,          heard.skipped, noiseSinceHeard, foreignSinceHeard};
   for (const VehicleAgent& agent : agents)
     snapshot->vehicles.push_back(agent.view(now, port, channel.peer(agent.id())->quality));
   for (const VehicleAgent& agent : agents)

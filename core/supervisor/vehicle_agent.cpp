@@ -239,6 +239,16 @@ VehicleView VehicleAgent::view(Seconds now, const PortView& port, const link::Li
   const double more = (rolled.sigma - estimate_.positionSigma()).value();
   v.covariance[0] += more * more;
   v.covariance[4] += more * more;
+  // When the report was made is not quite known either, and it has driven on meanwhile.
+  if (last_) {
+    const double late = (abs(estimate_.speed) * last_->sampledDoubt).value();
+    const double x = late * std::cos(rolled.pose.heading.value());
+    const double y = late * std::sin(rolled.pose.heading.value());
+    v.covariance[0] += x * x;
+    v.covariance[1] += x * y;
+    v.covariance[3] += x * y;
+    v.covariance[4] += y * y;
+  }
   if (last_) {
     const wire::Report& report = last_->report;
     v.state = report.state;

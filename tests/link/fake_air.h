@@ -22,6 +22,8 @@ public:
     double loss = 0.0;
     Seconds jitter{0.0};  ///< each packet is delayed by 0 to this much
     std::uint32_t seed = 1;
+    Seconds delayThere{0.0};  ///< to the vehicles, after each packet's end: the air is free meanwhile
+    Seconds delayBack{0.0};
   };
   /// What the host's side looks like to the air.
   struct Host {
@@ -87,7 +89,8 @@ private:
     const Seconds end = begin + Seconds{options_.factor * wire::loRaAirtime(bytes.size(), options_.airRate)};
     if (begin < busyUntil_) ++overlaps;
     busyUntil_ = std::max(busyUntil_, end);
-    const Seconds arrival = end + Seconds{0.005} + uart;
+    const Seconds delay = sender != nullptr ? options_.delayBack : options_.delayThere;
+    const Seconds arrival = end + delay + Seconds{0.005} + uart;
     if (sender != nullptr) vehicleFrames.push_back({arrival, bytes});
     if (std::bernoulli_distribution{options_.loss}(random_)) return;
     Bytes heard = sender != nullptr && tamper ? tamper(bytes) : bytes;

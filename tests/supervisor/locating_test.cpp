@@ -1,6 +1,10 @@
 // What is told of the vehicle that somebody watches.
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
+#include <array>
+#include <cmath>
+
 #include "base/polyline.h"
 #include "supervisor/locating_view.h"
 #include "supervisor/supervisor_fixture.h"
@@ -54,6 +58,41 @@ TEST(Watching, tellsHowTheVehicleIsLocatedAndLed) {
   }
   EXPECT_EQ(v.innovations.back().at, rig.view(1).recentReads.back().at);
   EXPECT_LE(v.innovations.size(), LocatingView::kInnovations);
+}
+
+// How much more is claimed along the way than across it since the report was made; m², on average.
+double doubtOfTime(const test::FakeAir::Options& options) {
+  SupervisorRig rig{"paper.tessera.json", options};
+  rig.supervisor.post(Watch{VehicleId{1}});
+  rig.runRoute(1, "paper", 0.2);
+  double sum = 0.0;
+  int count = 0;
+  const bool came = rig.runUntil(
+      [&] {
+        if (!rig.last || !rig.last->watched || rig.view(1).speed < MetresPerSecond{0.15}) return false;
+        const double heading = rig.view(1).pose.heading.value();
+        const Eigen::Vector2d along{std::cos(heading), std::sin(heading)};
+        const auto excess = [&](const std::array<double, 9>& c) {
+          const Eigen::Matrix2d m{{c[0], c[1]}, {c[3], c[4]}};
+          const Eigen::Vector2d across{-along.y(), along.x()};
+          return along.dot(m * along) - across.dot(m * across);
+        };
+        sum += excess(rig.view(1).covariance) - excess(rig.last->watched->covariance);
+        return ++count >= 150;
+      },
+      Seconds{60});
+  EXPECT_TRUE(came);
+  return sum / count;
+}
+
+TEST(Timing, isDoubtedAlongTheWayWhereTheLinkIsUnsteady) {
+  test::FakeAir::Options options;
+  // The heading's doubt leads aside on what was driven since.
+  EXPECT_LT(std::abs(doubtOfTime(options)), 0.005 * 0.005);
+  options.jitter = Seconds{0.2};  // evenly spread: a deviation of 58 ms each way, 1.2 cm at 20 cm/s
+  const double doubt = std::sqrt(std::max(0.0, doubtOfTime(options)));
+  EXPECT_GT(doubt, 0.007);
+  EXPECT_LT(doubt, 0.020);
 }
 
 TEST(Watching, isOfOneVehicleAtATime) {
