@@ -4,6 +4,7 @@ namespace tessera::experiment {
 namespace {
 
 constexpr Metres kWrong{0.10};
+constexpr MetresPerSecond kNoVehicle{3.0};  // what is faster is being carried, as the truth between two of its lines is
 
 Metres errorOf(const Sample& s) { return distance(s.belief.pose.position, s.truth.pose.position); }
 
@@ -16,7 +17,10 @@ std::optional<Metres> foundAfter(const std::vector<Sample>& samples, Seconds at)
   const Sample* before = nullptr;
   for (const Sample& s : samples) {
     if (s.belief.at < at) continue;
-    if (before != nullptr) way += distance(before->truth.pose.position, s.truth.pose.position);
+    if (before != nullptr) {
+      const Metres step = distance(before->truth.pose.position, s.truth.pose.position);
+      if (step <= kNoVehicle * (s.belief.at - before->belief.at)) way += step;
+    }
     before = &s;
     if (!s.belief.located || errorOf(s) > kFoundWithin) {
       since.reset();

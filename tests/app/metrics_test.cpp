@@ -230,6 +230,17 @@ TEST(Carried, isFoundWhereTheErrorStaysSmallNotWhereItPassesThrough) {
   EXPECT_NEAR(wronglySure(samples, Seconds{5.0}).value(), 6.9, 1e-6);
 }
 
+TEST(Carried, isNotChargedForTheWayThatItWasCarried) {
+  auto samples = drive(0, 0, steady());
+  for (std::size_t i = 51; i < samples.size(); ++i) {
+    samples[i].truth.pose.position.y += Metres{0.7};
+    samples[i].belief.pose.position.y += Metres{i < 80 ? 0.0 : 0.7};
+  }
+  const auto way = foundAfter(samples, Seconds{5.0});
+  ASSERT_TRUE(way.has_value());
+  EXPECT_NEAR(way->value(), 0.29, 1e-6);  // one step of 1 cm is the one in which it was carried
+}
+
 TEST(Carried, isNotFoundWhileItDoesNotSaySo) {
   auto samples = drive(0, 0, steady());
   for (Sample& s : samples) s.belief.located = false;
