@@ -1,8 +1,11 @@
 // What one vehicle's locator costs for each report: a motion, the tag events that came with it, the silence of the
-// other attempts, and the estimate. Growth with particles, readers and tags; the Kalman filter for comparison.
+// other attempts, and the estimate. Growth with particles, readers and tags, and with a rival belief beside the
+// picture; the Kalman filter for comparison.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -73,8 +76,9 @@ std::vector<Tick> driveOver(const floor::SiteMap& map, const floor::VehicleSetup
   return ticks;
 }
 
+/// upset, where it is given, is done after each report, unmeasured.
 void run(benchmark::State& state, locate::Locator& locator, const std::vector<Tick>& ticks,
-         const floor::VehicleSetup& vehicle) {
+         const floor::VehicleSetup& vehicle, const std::function<void(const Tick&)>& upset = {}) {
   std::size_t i = 0;
   for (auto _ : state) {
     if (i == ticks.size()) {
@@ -88,6 +92,10 @@ void run(benchmark::State& state, locate::Locator& locator, const std::vector<Ti
     for (const auto& event : tick.events) std::visit([&](const auto& e) { locator.add(e); }, event);
     locator.told(tick.motion.at - Seconds{kReport}, tick.motion.at);
     benchmark::DoNotOptimize(locator.at(locator.lastMotion()));
+    if (!upset) continue;
+    state.PauseTiming();
+    upset(tick);
+    state.ResumeTiming();
   }
 }
 
@@ -104,10 +112,40 @@ BENCHMARK(particles)
     ->Args({300, 3, 10'000})
     ->Args({600, 3, 10'000})
     ->Args({1200, 3, 10'000})
+    ->Args({1200, 8, 10'000})
     ->Args({600, 1, 10'000})
     ->Args({600, 8, 10'000})
     ->Args({600, 3, 288})
     ->Args({600, 3, 1'000'000})
+    ->Unit(benchmark::kMicrosecond);
+
+// A rival goes with the next read that the picture explains: so each report with one is followed by a read of a tag far
+// away, which raises the next.
+void particlesWithARival(benchmark::State& state) {
+  const auto vehicle = vehicleWith(static_cast<int>(state.range(1)));
+  const auto map = mapOf(static_cast<int>(state.range(2)));
+  locate::ParticleOptions options;
+  options.count = static_cast<std::size_t>(state.range(0));
+  locate::ParticleLocator locator{map, vehicle, options};
+  std::optional<floor::TagUid> far;
+  map->forEachNear({Metres{1.5}, Metres{2.5}}, Metres{0.2}, [&](const floor::PlacedTag& tag) { far = tag.uid; });
+  if (!far) return state.SkipWithError("no tag lies there");
+  std::uint32_t raised = 0;
+  run(state, locator, driveOver(*map, vehicle), vehicle, [&](const Tick& tick) {
+    const auto isRead = [](const auto& event) { return std::holds_alternative<locate::TagRead>(event); };
+    // One that contradicts while the vehicle has not moved yet is a new start.
+    if (tick.motion.travel < Metres{0.05} || std::none_of(tick.events.begin(), tick.events.end(), isRead)) return;
+    ++raised;
+    locator.add(locate::TagRead{0, *far, tick.motion.at});
+    locator.add(locate::TagLeft{0, tick.motion.at});
+  });
+  if (locator.counters().reacquisitions > 0 || locator.counters().rejected < raised * 9 / 10)
+    state.SkipWithError("the rival took over, or was not raised");
+}
+BENCHMARK(particlesWithARival)
+    ->ArgNames({"particles", "readers", "tags"})
+    ->Args({1200, 3, 10'000})
+    ->Args({1200, 8, 10'000})
     ->Unit(benchmark::kMicrosecond);
 
 void kalman(benchmark::State& state) {

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "host/supervisor_thread.h"
-#include "store/magnetic_maps.h"
 #include "store/site_store.h"
 #include "supervisor/parameter_texts.h"
 #include "ui/base/wording.h"
@@ -68,6 +67,7 @@ Keeper::Keeper(ui::SiteDocument& document, ui::FleetLink& fleet, QObject* parent
   connect(store_.get(), &store::StoreThread::recovered, this, &Keeper::recovered);
   connect(store_.get(), &store::StoreThread::revisionsListed, this, &Keeper::revisionsListed);
   connect(store_.get(), &store::StoreThread::revisionLoaded, this, &Keeper::revisionLoaded);
+  connect(store_.get(), &store::StoreThread::magneticMapLoaded, this, &Keeper::magneticMapLoaded);
   store_->start();
   edits_.setSingleShot(true);
   edits_.setInterval(kRestMs);
@@ -189,13 +189,6 @@ void Keeper::addRevision(const store::RevisionNote& note, const std::shared_ptr<
   if (!key_.empty()) store_->addRevision(key_, map, note);
 }
 
-Result<std::shared_ptr<const locate::MagneticMap>> Keeper::magneticMap(const std::string& key, bool simulated) {
-  // A connection of its own: vehicles are about to be located by it.
-  auto database = store::Database::open(databasePath().toStdString());
-  if (!database) return tl::unexpected{database.error()};
-  return store::MagneticMaps{**database}.load(key, simulated);
-}
-
 void Keeper::keepMagneticMap(const std::string& key, bool simulated, std::shared_ptr<const locate::MagneticMap> map) {
   store::KeptSite site;
   site.key = key;
@@ -205,6 +198,9 @@ void Keeper::keepMagneticMap(const std::string& key, bool simulated, std::shared
 
 quint64 Keeper::listRevisions() { return store_->listRevisions(key_); }
 quint64 Keeper::loadRevision(qint64 id) { return store_->loadRevision(id); }
+quint64 Keeper::loadMagneticMap(const std::string& key, bool simulated) {
+  return store_->loadMagneticMap(key, simulated);
+}
 
 bool Keeper::close() {
   if (edits_.isActive()) keepSite(document_.isModified());

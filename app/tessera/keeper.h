@@ -60,14 +60,13 @@ public:
   void addRevision(const store::RevisionNote& note) { addRevision(note, document_.map()); }
   /// And so does what another program saved to its file.
   void addRevision(const store::RevisionNote& note, const std::shared_ptr<const floor::SiteMap>& map);
-  /// What was learned of the iron in the floor that is kept under this key; null: nothing. Error: it cannot be read.
-  [[nodiscard]] static Result<std::shared_ptr<const locate::MagneticMap>> magneticMap(const std::string& key,
-                                                                                      bool simulated);
   /// Of a site without a file nothing is kept.
   void keepMagneticMap(const std::string& key, bool simulated, std::shared_ptr<const locate::MagneticMap> map);
   /// Each gives the number under which its answer comes; 0: it cannot be asked just now.
   quint64 listRevisions();
   quint64 loadRevision(qint64 id);
+  /// What was learned of the iron in the floor that is kept under this key.
+  quint64 loadMagneticMap(const std::string& key, bool simulated);
   /// Writes what waits. False: not all could be written.
   bool close();
 
@@ -85,6 +84,8 @@ Q_SIGNALS:
   void recovered();
   void revisionsListed(quint64 request, const std::vector<tessera::store::Revision>& revisions);
   void revisionLoaded(quint64 request, const std::shared_ptr<const tessera::floor::SiteMap>& map);
+  /// Null: nothing is kept.
+  void magneticMapLoaded(quint64 request, const std::shared_ptr<const tessera::locate::MagneticMap>& map);
   void requestFailed(quint64 request, const QString& sentence);
   /// The open site is kept under another key from now on. What is kept elsewhere under `before` should come along when
   /// it is the same site still, as after saving it under another name; `before` is empty when it is not.

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "ui/base/wording.h"
-
 namespace tessera::desktop {
 namespace {
 
@@ -24,6 +22,12 @@ MagneticDesk::MagneticDesk(ui::SiteDocument& document, FleetSession& session, Ke
     key_ = keeper_.key();
     unkept_ = !map_->empty();
   });
+  connect(&keeper, &Keeper::magneticMapLoaded, this, [this](quint64 request, const auto& map) {
+    if (request == asked_) onLoaded(map);
+  });
+  connect(&keeper, &Keeper::requestFailed, this, [this](quint64 request, const QString& sentence) {
+    if (request == asked_) onFailed(sentence);
+  });
   connect(&session, &FleetSession::stateChanged, this, &MagneticDesk::onSessionState);
   connect(&session, &ui::FleetLink::snapshotChanged, this, &MagneticDesk::onSnapshot);
   minute_.setInterval(kKeepEachMs);
@@ -40,11 +44,23 @@ void MagneticDesk::keep() {
 void MagneticDesk::open(const std::string& key, bool simulated) {
   key_ = key;
   simulated_ = simulated;
-  auto kept = Keeper::magneticMap(key, simulated);
-  if (!kept)
-    Q_EMIT failed(tr("What was learned of the iron in this floor cannot be read and is begun anew: %1")
-                      .arg(ui::text(kept.error().sentence)));
-  show(kept && *kept ? *kept : std::make_shared<const locate::MagneticMap>());
+  show(std::make_shared<const locate::MagneticMap>());
+  askedKey_ = key;
+  asked_ = keeper_.loadMagneticMap(key, simulated);
+  if (asked_ == 0) onFailed(tr("The storage cannot be asked just now."));
+}
+
+void MagneticDesk::onLoaded(const std::shared_ptr<const locate::MagneticMap>& map) {
+  asked_ = 0;
+  if (map == nullptr || map->empty()) return;
+  show(map);
+  unkept_ = key_ != askedKey_;
+  if (session_.state() == FleetSession::State::Live) hand();
+}
+
+void MagneticDesk::onFailed(const QString& sentence) {
+  asked_ = 0;
+  Q_EMIT failed(tr("What was learned of the iron in this floor cannot be read and is begun anew: %1").arg(sentence));
 }
 
 void MagneticDesk::show(std::shared_ptr<const locate::MagneticMap> map) {
@@ -73,12 +89,14 @@ void MagneticDesk::onSnapshot() {
   const auto picture = session_.latest();
   if (!picture || !picture->magnetic) return;
   if (picture->magnetic == map_) awaited_ = false;
-  if (awaited_ || picture->magnetic == map_) return;
+  // Learned before the stored map came, it would take that one's place.
+  if (awaited_ || isLoading() || picture->magnetic == map_) return;
   unkept_ = true;
   show(picture->magnetic);
 }
 
 void MagneticDesk::forget() {
+  asked_ = 0;
   show(std::make_shared<const locate::MagneticMap>());
   unkept_ = true;
   keep();

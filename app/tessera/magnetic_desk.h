@@ -1,5 +1,6 @@
 // The magnetic map of the open site's floor, between storage, supervision and canvas: given to each supervision as it
-// begins, taken from its pictures, kept now and then.
+// begins, taken from its pictures, kept now and then. What is stored comes a moment after the site was opened; until
+// then the map is empty and nothing is learned.
 #pragma once
 
 #include <QObject>
@@ -23,6 +24,8 @@ public:
 
   /// Never null.
   [[nodiscard]] const std::shared_ptr<const locate::MagneticMap>& map() const { return map_; }
+  /// What is stored of the site's floor has not come yet.
+  [[nodiscard]] bool isLoading() const { return asked_ != 0; }
   /// For good; what is stored goes as well.
   void forget();
   /// Hands what is new to the storage.
@@ -36,6 +39,8 @@ Q_SIGNALS:
 
 private:
   void open(const std::string& key, bool simulated);
+  void onLoaded(const std::shared_ptr<const locate::MagneticMap>& map);
+  void onFailed(const QString& sentence);
   void onSessionState();
   void onSnapshot();
   void hand();
@@ -45,7 +50,9 @@ private:
   Keeper& keeper_;
   ui::FloorCanvas& canvas_;
   QTimer minute_;
-  std::string key_;         ///< of the site whose map it is
+  std::string key_;  ///< of the site whose map it is
+  quint64 asked_ = 0;
+  std::string askedKey_;    ///< key_ may have become another since
   bool simulated_ = false;  ///< it was learned in the simulated world
   std::shared_ptr<const locate::MagneticMap> map_ = std::make_shared<locate::MagneticMap>();
   bool awaited_ = false;  ///< the supervision does not have the map yet: what it shows is of another floor

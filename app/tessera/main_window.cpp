@@ -221,6 +221,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   if (open_) settings_.setSite(document_.path());  // else the question about the last one may be open still
   hide();
   const QStringList moving = session_->close();
+  magnetic_->keep();
   keeper_->close();
   event->accept();
   if (!moving.isEmpty()) tellUnconfirmed(moving);

@@ -7,6 +7,7 @@
 #include "app/tessera/radio_workbench.h"
 #include "app/tessera/scan_workbench.h"
 #include "app/tessera/site_files.h"
+#include "app/tessera/window_actions.h"
 #include "ui/commission/commission_wizard.h"
 #include "ui/connect/connect_dialog.h"
 #include "ui/connect/radio_dialog.h"
@@ -55,6 +56,7 @@ void MainWindow::commission(std::optional<VehicleId> vehicle) {
   selection_.setVehicle(wizard.vehicle());
   if (wizard.hasPaired() && document_.isModified() && !unasked_)
     files_->offerToSaveKey(QString::fromStdString(wizard.draft().name));
+  if (wizard.goesOnCalibrating()) actions_->calibrate->trigger();
 }
 
 // A vehicle has taken a key of which an earlier run never heard the end.

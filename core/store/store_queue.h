@@ -65,12 +65,16 @@ struct ListRevisions {
 struct LoadRevision {
   std::int64_t id = 0;
 };
+struct LoadMagneticMap {
+  std::string key;
+  bool simulated = false;
+};
 struct QueryJournal {
   JournalFilter filter;
 };
 struct Request {
   std::uint64_t id = 0;
-  std::variant<LoadSite, ListSites, ListRevisions, LoadRevision, QueryJournal> what;
+  std::variant<LoadSite, ListSites, ListRevisions, LoadRevision, LoadMagneticMap, QueryJournal> what;
 };
 
 /// What the storage thread takes at one go. Changes come before notes, notes before the requests that may ask for them.

@@ -159,6 +159,11 @@ private:
                      if (!map) return refuse(map.error());
                      Q_EMIT owner_.revisionLoaded(request.id, *map);
                    },
+                   [&](const LoadMagneticMap& what) {
+                     const auto map = MagneticMaps{*database_}.load(what.key, what.simulated);
+                     if (!map) return refuse(map.error());
+                     Q_EMIT owner_.magneticMapLoaded(request.id, *map);
+                   },
                    [&](const QueryJournal& what) {
                      const auto page = Journal{*database_}.query(what.filter);
                      if (!page) return refuse(page.error());
@@ -241,6 +246,9 @@ std::uint64_t StoreThread::loadSite(std::string key) { return ask(LoadSite{std::
 std::uint64_t StoreThread::listSites() { return ask(ListSites{}); }
 std::uint64_t StoreThread::listRevisions(std::string key) { return ask(ListRevisions{std::move(key)}); }
 std::uint64_t StoreThread::loadRevision(std::int64_t id) { return ask(LoadRevision{id}); }
+std::uint64_t StoreThread::loadMagneticMap(std::string key, bool simulated) {
+  return ask(LoadMagneticMap{std::move(key), simulated});
+}
 std::uint64_t StoreThread::queryJournal(JournalFilter filter) { return ask(QueryJournal{std::move(filter)}); }
 
 }  // namespace tessera::store

@@ -60,6 +60,8 @@ public:
   std::uint64_t listSites();
   std::uint64_t listRevisions(std::string key);
   std::uint64_t loadRevision(std::int64_t id);
+  /// Comes with what was posted by keepMagneticMap() before.
+  std::uint64_t loadMagneticMap(std::string key, bool simulated);
   std::uint64_t queryJournal(JournalFilter filter);
 
 Q_SIGNALS:
@@ -69,6 +71,8 @@ Q_SIGNALS:
   void sitesListed(quint64 request, const std::vector<tessera::store::KeptSite>& sites);
   void revisionsListed(quint64 request, const std::vector<tessera::store::Revision>& revisions);
   void revisionLoaded(quint64 request, const std::shared_ptr<const tessera::floor::SiteMap>& map);
+  /// Null: nothing is kept under this key.
+  void magneticMapLoaded(quint64 request, const std::shared_ptr<const tessera::locate::MagneticMap>& map);
   void journalFound(quint64 request, const tessera::store::JournalPage& page);
   void requestFailed(quint64 request, const tessera::Sentence& sentence);
 

@@ -10,7 +10,7 @@ once=(start-en-light start-zh-dark drive-en-light three-en-light charts-en-dark 
   route-fault-en-light zones-en-light empty-en-light empty-lay-zh-light layTiles-en-light tile-types-en-light import-zh-light
   register-en-light find-en-dark length-en-light revisions-en-light tilecheck-marks-en-light locating-live-en-light
   calibrate-live-zh-light wizard-0-en-light radio-en-light site-zh-light help-zh-light chosen-tiles-en-light map-picture-en-light
-  plan-en-light steps-en-light compass-en-light)
+  plan-en-light steps-en-light compass-live-en-light iron-en-light)
 twice=(drive-zh-dark zones-en-light wizard-2-zh-light)
 
 for scale in 1 2; do

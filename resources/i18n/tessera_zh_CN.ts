@@ -2900,6 +2900,10 @@
         <source>What was learned of the iron in this floor cannot be read and is begun anew: %1</source>
         <translation>此地面中铁的学习结果无法读取，将重新开始：%1</translation>
     </message>
+    <message>
+        <source>The storage cannot be asked just now.</source>
+        <translation>现在无法查询存储。</translation>
+    </message>
 </context>
 <context>
     <name>tessera::desktop::MainWindow</name>
@@ -4121,20 +4125,20 @@
         <translation>用手转动车辆，使车头朝北：指针应随之转动。</translation>
     </message>
     <message>
-        <source>If the needle is off by more than about 10°, calibrate: the vehicle turns on the spot by itself for up to a minute. Put it on the floor, away from steel, with a metre of free room all around, and keep hands and feet away.</source>
-        <translation>如果指针偏差超过约 10°，请进行校准：车辆将自行原地转动，最长约一分钟。请将车辆放在地面上，远离钢铁，四周各留出一米空间，手脚不要靠近车辆。</translation>
-    </message>
-    <message>
         <source>The needle is &amp;right</source>
         <translation>指针正确(&amp;R)</translation>
     </message>
     <message>
-        <source>Ca&amp;librate now</source>
-        <translation>立即校准(&amp;L)</translation>
-    </message>
-    <message>
         <source>&amp;Stop</source>
         <translation>停止(&amp;S)</translation>
+    </message>
+    <message>
+        <source>If the needle is off by more than about 10°, calibrate: have the vehicle turn and measure, then write what was found into it.</source>
+        <translation>如果指针偏差超过约 10°，请进行校准：让车辆转动并测量，然后把结果写入车辆。</translation>
+    </message>
+    <message>
+        <source>Ca&amp;librate without a chart</source>
+        <translation>不用图校准(&amp;L)</translation>
     </message>
 </context>
 <context>
@@ -4188,8 +4192,8 @@
         <translation>恢复旧值</translation>
     </message>
     <message>
-        <source>What stood in the vehicle before, as long as the program runs</source>
-        <translation>车辆中原来的值，在程序运行期间保留</translation>
+        <source>What stood in the vehicle before something was written into it here</source>
+        <translation>在此处写入之前车辆中原来的值</translation>
     </message>
 </context>
 <context>
@@ -4209,10 +4213,6 @@
     <message>
         <source>The vehicle did not take the values: read them again by turning anew.</source>
         <translation>车辆没有接受这些值：请重新转动以再次读取。</translation>
-    </message>
-    <message>
-        <source>The vehicle&apos;s program is too old to tell what its compass measures. It can only calibrate by itself, without a chart: Vehicle › Change the chosen vehicle, on the page of the compass.</source>
-        <translation>车辆的程序太旧，不能说出罗盘测到了什么。它只能自行校准，没有图：车辆 › 更改所选车辆，在罗盘页。</translation>
     </message>
     <message>
         <source>The vehicle drives or turns already. Stop it, then try again.</source>
@@ -4269,6 +4269,10 @@
     <message>
         <source>Written and read back. Turn once more to see what they do.</source>
         <translation>已写入并读回。再转一次即可看到效果。</translation>
+    </message>
+    <message>
+        <source>The vehicle&apos;s program is too old to tell what its compass measures. It can only calibrate by itself, without a chart: the wizard&apos;s page of the compass has a button for it (Vehicle › Change the chosen vehicle).</source>
+        <translation>车辆的程序太旧，不能说出罗盘测到了什么。它只能自行校准，没有图：向导的罗盘页上有相应的按钮（车辆 › 更改所选车辆）。</translation>
     </message>
 </context>
 <context>
@@ -7660,6 +7664,14 @@ x %2 m，y %3 m</translation>
         <translation>
             <numerusform>有 %n 个步骤被跳过。可再次为该车辆打开此向导补做。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Where exactly the readers sit and how large the wheels are, a drive along a figure over registered tags tells better than a ruler.</source>
+        <translation>读卡器的确切位置和车轮的大小，在已登记的标签上沿图形行驶一次，比用尺子量更准确。</translation>
+    </message>
+    <message>
+        <source>Finish, and calibrate readers and &amp;wheels…</source>
+        <translation>完成并校准读卡器和车轮(&amp;W)…</translation>
     </message>
 </context>
 <context>

@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <QSignalSpy>
+#include <QTest>
+
 #include "locate/magnetic_file.h"
 #include "store/store_fixture.h"
 #include "store/store_thread.h"
+#include "store/transaction.h"
 
 namespace tessera::store {
 namespace {
@@ -71,6 +75,32 @@ TEST_F(MagneticMapsOfSites, areWrittenByTheStorageThread) {
   const auto database = open();
   EXPECT_NEAR(deviationIn(MagneticMaps{*database}.load("/a", false).value()),
               mapWith(0.1).at(locate::MagneticNode{3, -3}).deviation, 1e-6);
+}
+
+TEST_F(MagneticMapsOfSites, areReadByTheStorageThreadAfterWhatWasPostedBefore) {
+  StoreThread::Options options;
+  options.file = file();
+  StoreThread thread{options};
+  QSignalSpy loaded{&thread, &StoreThread::magneticMapLoaded};
+  QSignalSpy refused{&thread, &StoreThread::requestFailed};
+  thread.start();
+  ASSERT_TRUE(thread.keepMagneticMap("/a", false, std::make_shared<locate::MagneticMap>(mapWith(0.1)), 1));
+  const std::uint64_t request = thread.loadMagneticMap("/a", false);
+  const std::uint64_t otherWorld = thread.loadMagneticMap("/a", true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return loaded.count() == 2; }));
+  const auto answer = [&](int n) { return loaded[n][1].value<std::shared_ptr<const locate::MagneticMap>>(); };
+  EXPECT_EQ(loaded[0][0].value<quint64>(), request);
+  EXPECT_NEAR(deviationIn(answer(0)), mapWith(0.1).at(locate::MagneticNode{3, -3}).deviation, 1e-6);
+  EXPECT_EQ(loaded[1][0].value<quint64>(), otherWorld);
+  EXPECT_EQ(answer(1), nullptr);
+
+  const auto database = open();
+  Transaction writing{*database, Transaction::Kind::Write};
+  writing.run(QStringLiteral("UPDATE magnetic_map SET nodes=substr(nodes, 1, 100)"));
+  ASSERT_TRUE(writing.commit());
+  const std::uint64_t damaged = thread.loadMagneticMap("/a", false);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return refused.count() == 1; }));
+  EXPECT_EQ(refused[0][0].value<quint64>(), damaged);
 }
 
 TEST_F(MagneticMapsOfSites, haveAPlaceInADatabaseOfTheVersionBefore) {

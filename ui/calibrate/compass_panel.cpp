@@ -122,7 +122,7 @@ void CompassPanel::retranslate() {
   setWindowTitle(tr("Compass"));
   write_->setText(tr("Write into the vehicle"));
   restore_->setText(tr("Old values back"));
-  restore_->setToolTip(tr("What stood in the vehicle before, as long as the program runs"));
+  restore_->setToolTip(tr("What stood in the vehicle before something was written into it here"));
   refresh();
 }
 

@@ -82,6 +82,7 @@ void CompassSurvey::start(VehicleId vehicle) {
   fit_.reset();
   present_.reset();
   seenTurning_ = false;
+  tooOld_ = false;
   phase_ = Phase::Reading;
   tone_ = Notice::Tone::Info;
   message_ = tr("Reading what the vehicle corrects its compass by…");
@@ -134,9 +135,11 @@ void CompassSurvey::hear(std::size_t index, const supervisor::AskAnswer& answer)
           Q_EMIT changed();
           return askForSample();
         case Outcome::Unknown:
+          tooOld_ = true;
           return end(Notice::Tone::Error,
                      tr("The vehicle's program is too old to tell what its compass measures. It can only calibrate by "
-                        "itself, without a chart: Vehicle › Change the chosen vehicle, on the page of the compass."));
+                        "itself, without a chart: the wizard's page of the compass has a button for it (Vehicle › "
+                        "Change the chosen vehicle)."));
         case Outcome::Busy:
           return end(Notice::Tone::Error, tr("The vehicle drives or turns already. Stop it, then try again."));
         default:

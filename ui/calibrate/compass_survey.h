@@ -50,6 +50,8 @@ public:
   [[nodiscard]] std::optional<calibrate::CompassCorrection> present() const;
   [[nodiscard]] bool mayWrite() const;
   [[nodiscard]] bool mayRestore() const;
+  /// The vehicle's program is too old for a survey, as the last start() showed; it can only calibrate by itself.
+  [[nodiscard]] bool isTooOld() const { return tooOld_; }
 
   [[nodiscard]] Notice::Tone tone() const { return tone_; }
   /// What came of it, or how far it is; empty: nothing was begun.
@@ -83,6 +85,7 @@ private:
   Values wanted_{};
   std::map<VehicleId, Values> before_;  ///< what stood in vehicles before something was written into them
   bool seenTurning_ = false;
+  bool tooOld_ = false;
   QElapsedTimer sinceStart_;
   QTimer again_;  ///< a direction that the vehicle has not reached yet
   Notice::Tone tone_ = Notice::Tone::Info;

@@ -31,6 +31,7 @@ CommissionWizard::CommissionWizard(FleetLink& link, SiteDocument& document, std:
   setOption(QWizard::HelpButtonOnRight, false);
 
   auto* key = new KeyPage{work_};
+  auto* summary = new SummaryPage{work_};
   setPage(kType, new TypePage{work_});
   setPage(kName, new NamePage{work_});
   setPage(kFirmware, new FlashPage{work_});
@@ -41,11 +42,15 @@ CommissionWizard::CommissionWizard(FleetLink& link, SiteDocument& document, std:
   setPage(kCompass, new CompassPage{work_});
   setPage(kJog, new JogPage{work_});
   setPage(kDrive, new DrivePage{work_});
-  setPage(kSummary, new SummaryPage{work_});
+  setPage(kSummary, summary);
   for (const int id : pageIds())
     if (auto* step = qobject_cast<StepPage*>(page(id)))
       connect(step, &StepPage::connectRequested, this, &CommissionWizard::connectRequested);
   connect(key, &KeyPage::saveRequested, this, &CommissionWizard::saveRequested);
+  connect(summary, &SummaryPage::calibrateRequested, this, [this] {
+    goesOnCalibrating_ = true;
+    accept();
+  });
   connect(&work_, &Commissioning::pairedChanged, this, &CommissionWizard::paired);
   connect(&work_, &Commissioning::siteChanged, this, &CommissionWizard::siteChanged);
   connect(&work_, &Commissioning::markChanged, this, &CommissionWizard::showSteps);
@@ -57,7 +62,7 @@ CommissionWizard::CommissionWizard(FleetLink& link, SiteDocument& document, std:
   setSideWidget(&steps_);
   retranslate();
   const int line = fontMetrics().height();
-  setMinimumSize(line * 62, line * 36);
+  setMinimumSize(line * 66, line * 36);
 }
 
 // The vehicle goes into the site before the first page that speaks to it.

@@ -24,6 +24,8 @@ public:
   [[nodiscard]] const floor::VehicleSetup& draft() const { return work_.draft(); }
   /// The vehicle has taken a new key in this wizard.
   [[nodiscard]] bool hasPaired() const { return work_.paired(); }
+  /// The person wants to go on with the calibration of its readers and wheels.
+  [[nodiscard]] bool goesOnCalibrating() const { return goesOnCalibrating_; }
   void reject() override;
   bool validateCurrentPage() override;
 
@@ -47,6 +49,7 @@ private:
 
   Commissioning work_;
   QLabel steps_;
+  bool goesOnCalibrating_ = false;
 };
 
 }  // namespace tessera::ui

@@ -17,7 +17,10 @@ constexpr qint64 kCalibrationShowsMs = 3000;
 }  // namespace
 
 CompassPage::CompassPage(Commissioning& work, QWidget* parent)
-    : StepPage{work, Commissioning::Step::Compass, Needs::Vehicle, parent}, series_{work.link()} {
+    : StepPage{work, Commissioning::Step::Compass, Needs::Vehicle, parent},
+      series_{work.link()},
+      survey_{work.link()},
+      panel_{survey_, work.link(), work.selection(), work.document()} {
   right_.setObjectName(QStringLiteral("compassRight"));
   calibrate_.setObjectName(QStringLiteral("calibrateCompass"));
   stop_.setObjectName(QStringLiteral("stopCalibration"));
@@ -31,7 +34,6 @@ CompassPage::CompassPage(Commissioning& work, QWidget* parent)
   auto* left = new QVBoxLayout;
   left->addWidget(&dial_);
   left->addWidget(&bearing_);
-  left->addStretch();
   auto* right = new QVBoxLayout;
   right->addWidget(&hint_);
   for (QPushButton* button : {&right_, &calibrate_, &stop_}) {
@@ -45,7 +47,7 @@ CompassPage::CompassPage(Commissioning& work, QWidget* parent)
   row->addSpacing(fontMetrics().height());
   row->addLayout(right, 1);
   content().addLayout(row);
-  content().addStretch();
+  content().addWidget(&panel_, 1);
 
   connect(&right_, &QPushButton::clicked, this, [this] { markDone(); });
   connect(&calibrate_, &QPushButton::clicked, this, &CompassPage::calibrate);
@@ -56,6 +58,7 @@ CompassPage::CompassPage(Commissioning& work, QWidget* parent)
   connect(&series_, &AskSeries::answered, this,
           [this](std::size_t, const supervisor::AskAnswer& answer) { hear(answer); });
   connect(&series_, &AskSeries::failed, this, [this](const QString& sentence) { end(Notice::Tone::Error, sentence); });
+  connect(&survey_, &CompassSurvey::changed, this, &CompassPage::judgeSurvey);
 }
 
 void CompassPage::initializePage() {
@@ -116,6 +119,12 @@ void CompassPage::hear(const supervisor::AskAnswer& answer) {
   }
 }
 
+// Right as it stands in the vehicle, or written into it and read back.
+void CompassPage::judgeSurvey() {
+  if (!survey_.isBusy() && survey_.tone() == Notice::Tone::Good) markDone();
+  showButtons();
+}
+
 void CompassPage::refresh(const supervisor::VehicleView* vehicle) {
   reachable_ = vehicle != nullptr;
   if (vehicle == nullptr) {
@@ -138,8 +147,10 @@ void CompassPage::refresh(const supervisor::VehicleView* vehicle) {
 }
 
 void CompassPage::showButtons() {
-  const bool idle = phase_ == Phase::Idle;
+  const bool idle = phase_ == Phase::Idle && !survey_.isBusy();
+  calibrate_.setVisible(survey_.isTooOld());
   calibrate_.setEnabled(reachable_ && idle);
+  panel_.setEnabled(phase_ == Phase::Idle);
   right_.setEnabled(reachable_ && idle && work().mark(Commissioning::Step::Compass) != Commissioning::Mark::Done);
   stop_.setVisible(phase_ == Phase::Asking || phase_ == Phase::Turning);
 }
@@ -148,11 +159,10 @@ void CompassPage::retranslate() {
   setTitle(tr("The compass"));
   setSubTitle(tr("Turn the vehicle by hand until its nose points to north: the needle must follow."));
   hint_.setText(
-      tr("If the needle is off by more than about 10°, calibrate: the vehicle turns on the spot by itself for "
-         "up to a minute. Put it on the floor, away from steel, with a metre of free room all around, and "
-         "keep hands and feet away."));
+      tr("If the needle is off by more than about 10°, calibrate: have the vehicle turn and measure, then write what "
+         "was found into it."));
   right_.setText(tr("The needle is &right"));
-  calibrate_.setText(tr("Ca&librate now"));
+  calibrate_.setText(tr("Ca&librate without a chart"));
   stop_.setText(tr("&Stop"));
   StepPage::retranslate();
 }

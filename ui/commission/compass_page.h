@@ -1,5 +1,5 @@
 // Does the compass tell where the nose points? Live bearing, and the calibration in which the vehicle turns on the
-// spot.
+// spot: with its chart, or by the vehicle alone where its program is too old to tell what it measures.
 #pragma once
 
 #include <QElapsedTimer>
@@ -7,6 +7,8 @@
 #include <QPushButton>
 
 #include "ui/base/ask_series.h"
+#include "ui/calibrate/compass_panel.h"
+#include "ui/calibrate/compass_survey.h"
 #include "ui/commission/heading_dial.h"
 #include "ui/commission/step_page.h"
 
@@ -30,6 +32,7 @@ private:
   void stop();
   void hear(const supervisor::AskAnswer& answer);
   void end(Notice::Tone tone, const QString& sentence);
+  void judgeSurvey();
   void showButtons();
 
   AskSeries series_;
@@ -44,6 +47,8 @@ private:
   QPushButton calibrate_;
   QPushButton stop_;
   Notice result_;
+  CompassSurvey survey_;
+  CompassPanel panel_;
 };
 
 }  // namespace tessera::ui

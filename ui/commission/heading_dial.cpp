@@ -21,7 +21,7 @@ void HeadingDial::setBearing(std::optional<Radians> bearing) {
   update();
 }
 
-QSize HeadingDial::sizeHint() const { return QSize{13, 13} * fontMetrics().height(); }
+QSize HeadingDial::sizeHint() const { return QSize{10, 10} * fontMetrics().height(); }
 
 void HeadingDial::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter{this};

@@ -13,6 +13,12 @@ SummaryPage::SummaryPage(Commissioning& work, QWidget* parent) : QWizardPage{par
   auto* column = new QVBoxLayout{this};
   column->addWidget(&list_);
   column->addWidget(&notice_);
+  next_.setWordWrap(true);
+  column->addWidget(&next_);
+  calibrate_.setObjectName(QStringLiteral("calibrateNext"));
+  calibrate_.setAutoDefault(false);
+  column->addWidget(&calibrate_, 0, Qt::AlignLeft);
+  connect(&calibrate_, &QPushButton::clicked, this, &SummaryPage::calibrateRequested);
   column->addStretch();
   retranslate();
 }
@@ -73,6 +79,10 @@ void SummaryPage::retranslate() {
       left == 0
           ? tr("Everything was tried.")
           : tr("%n step(s) were left out. Open this wizard for the vehicle again to make up for it.", nullptr, left);
+  next_.setText(
+      tr("Where exactly the readers sit and how large the wheels are, a drive along a figure over registered "
+         "tags tells better than a ruler."));
+  calibrate_.setText(tr("Finish, and calibrate readers and &wheels…"));
   notice_.show(left == 0 ? Notice::Tone::Good : Notice::Tone::Warning, tried + QLatin1Char(' ') + kept);
 }
 

@@ -1,7 +1,9 @@
-// What was done and what was not, in plain words, before the wizard ends.
+// What was done and what was not, in plain words, before the wizard ends; and the way on to the calibration of readers
+// and wheels, which is a drive and so needs the window.
 #pragma once
 
 #include <QLabel>
+#include <QPushButton>
 #include <QWizardPage>
 
 #include "ui/base/notice.h"
@@ -18,6 +20,10 @@ public:
   [[nodiscard]] static QString nameOf(Commissioning::Step step);
   [[nodiscard]] static QString nameOf(Commissioning::Mark mark);
 
+Q_SIGNALS:
+  /// Finish, and go on with readers and wheels.
+  void calibrateRequested();
+
 protected:
   void changeEvent(QEvent* event) override;
 
@@ -27,6 +33,8 @@ private:
   Commissioning& work_;
   QLabel list_;
   Notice notice_;
+  QLabel next_;
+  QPushButton calibrate_;
 };
 
 }  // namespace tessera::ui

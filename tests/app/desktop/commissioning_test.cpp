@@ -1,96 +1,14 @@
 // A vehicle fresh from the factory is set up in the whole window, over the port of a simulated world that the window
 // knows nothing else of.
-#include <QComboBox>
 #include <QLabel>
-#include <QProgressBar>
-#include <QSpinBox>
 
-#include "app/desktop/desktop_fixture.h"
-#include "app/process/world_process.h"
+#include "app/desktop/new_vehicle.h"
 #include "app/tessera/keeper.h"
-#include "app/tessera/site_files.h"
-#include "app/world/world_options.h"
-#include "floor/site_json.h"
-#include "tests/ui/commission/wizard_hands.h"
-#include "ui/base/notice.h"
-#include "ui/commission/commission_wizard.h"
+#include "ui/connect/look.h"
 #include "wire/pairing.h"
 
 namespace tessera::desktop {
 namespace {
-
-using ui::CommissionWizard;
-using ui::Notice;
-using ui::WizardHands;
-
-constexpr std::uint8_t kNewAddress = 7;
-
-class NewVehicle : public DesktopTest {
-protected:
-  // The world has one vehicle, with an empty EEPROM; the hall's file has none.
-  void SetUp() override {
-    openWindow(false);
-    const auto demo = SiteFiles::demoPath();
-    ASSERT_TRUE(demo);
-    const auto site = floor::loadSite(demo->toStdString());
-    ASSERT_TRUE(site);
-    hall = *site;
-    type = hall.vehicles.front();
-    hall.vehicles.clear();
-    ASSERT_TRUE(floor::saveSite(hall, path().toStdString()));
-    world::WorldOptions options;
-    options.site = demo->toStdString();
-    options.vehicles = options.fresh = {type.id.value};
-    ASSERT_TRUE(world.start(world::worldArguments(options)));
-  }
-  [[nodiscard]] QString path() const { return home.filePath("hall.tessera.json"); }
-  /// What the file holds of the new vehicle.
-  [[nodiscard]] floor::VehicleSetup filed() const {
-    const auto site = floor::loadSite(path().toStdString());
-    return site && !site->vehicles.empty() ? site->vehicles.back() : floor::VehicleSetup{};
-  }
-  void connectToWorld() {
-    inDialogue(QStringLiteral("connectDialog"), [this](QDialog& dialog) {
-      QTest::mouseClick(dialog.findChild<QAbstractButton*>("serialKind"), Qt::LeftButton, {}, QPoint{8, 8});
-      auto* field = dialog.findChild<QComboBox*>("portField")->lineEdit();
-      field->setFocus();
-      field->selectAll();
-      QTest::keyClicks(field, QString::fromStdString(world.port()));
-      QTest::mouseClick(dialog.findChild<QAbstractButton*>("connectButton"), Qt::LeftButton);
-    });
-    trigger("connect");
-    ASSERT_TRUE(until([&] {
-      const auto picture = window->session().latest();
-      return picture && picture->port.state == supervisor::PortState::Open;
-    }));
-  }
-  /// As far as the key page.
-  static void describe(WizardHands& hands, const char* name) {
-    hands.next();
-    hands.type("vehicleName", name);
-    auto& address = hands.at<QSpinBox>("vehicleAddress");
-    address.setFocus();
-    address.selectAll();
-    QTest::keyClicks(&address, QString::number(kNewAddress));
-    hands.next();
-    hands.click("flashDone");
-    hands.next();
-  }
-  static bool nextOffered(WizardHands& hands) {
-    return until([&] { return hands.button(QWizard::NextButton).isEnabled(); });
-  }
-  static Notice::Tone tone(WizardHands& hands, const char* name) { return hands.at<Notice>(name).tone(); }
-  static void pair(WizardHands& hands) {
-    ASSERT_TRUE(until([&] { return hands.at<QAbstractButton>("pairVehicle").isEnabled(); }));
-    hands.click("pairVehicle");
-    ASSERT_TRUE(nextOffered(hands)) << hands.at<Notice>("keyResult").text().toStdString();
-    EXPECT_EQ(tone(hands, "keyResult"), Notice::Tone::Good);
-  }
-
-  floor::Site hall;
-  floor::VehicleSetup type;
-  process::WorldProcess world;
-};
 
 TEST_F(NewVehicle, isSetUpFromItsTypeToItsFirstDrive) {
   ASSERT_TRUE(window->files().open(path()));
@@ -121,22 +39,11 @@ TEST_F(NewVehicle, isSetUpFromItsTypeToItsFirstDrive) {
     EXPECT_EQ(tone(hands, "readersResult"), Notice::Tone::Info) << "they all answer";
     hands.skip();
 
-    ASSERT_TRUE(until([&] { return hands.at<QAbstractButton>("calibrateCompass").isEnabled(); }));
-    hands.click("calibrateCompass");
-    ASSERT_TRUE(until([&] { return vehicle().state == wire::VehicleState::Calibrating; }));
-    ASSERT_TRUE(nextOffered(hands)) << hands.at<Notice>("compassResult").text().toStdString();
-    EXPECT_EQ(tone(hands, "compassResult"), Notice::Tone::Good);
+    ASSERT_NO_FATAL_FAILURE(calibrateCompass(hands));
+    ui::look::take(wizard, QStringLiteral("wizard-compass"));
     hands.next();
 
-    auto& pad = hands.at<QWidget>("jogPad");
-    pad.setFocus();
-    ASSERT_TRUE(until([&] { return pad.hasFocus() && hands.at<QAbstractButton>("jogForward").isEnabled(); }));
-    QTest::keyPress(&pad, Qt::Key_Up);
-    ASSERT_TRUE(nextOffered(hands)) << hands.at<QLabel>("jogHint").text().toStdString();
-    ASSERT_TRUE(until([&] { return vehicle().located; })) << "a few tags on the way tell it where it is";
-    EXPECT_EQ(vehicle().task, supervisor::Task::Jogging);
-    QTest::keyRelease(&pad, Qt::Key_Up);
-    ASSERT_TRUE(until([&] { return vehicle().speed == MetresPerSecond{}; })) << "the released key stops it";
+    ASSERT_NO_FATAL_FAILURE(jogOverTags(hands));
     hands.next();
 
     ASSERT_TRUE(until([&] { return hands.at<QAbstractButton>("firstRun").isEnabled(); }));
@@ -147,9 +54,10 @@ TEST_F(NewVehicle, isSetUpFromItsTypeToItsFirstDrive) {
     ASSERT_TRUE(until([&] { return vehicle().speed == MetresPerSecond{}; }));
     hands.skip();
     EXPECT_EQ(wizard.currentId(), CommissionWizard::kSummary);
-    QTest::mouseClick(&hands.button(QWizard::FinishButton), Qt::LeftButton);
+    hands.click("calibrateNext");
   });
   trigger("commission");
+  EXPECT_TRUE(find("drawFigure")->isVisible()) << "readers and wheels come next";
   ASSERT_EQ(window->document().site().vehicles.size(), 1U);
   EXPECT_EQ(window->document().site().vehicles.back(), filed());
   EXPECT_EQ(filed().name, "Ant");

@@ -11,6 +11,7 @@
 #include "app/tessera/site_files.h"
 #include "locate/magnetic_map.h"
 #include "store/database.h"
+#include "store/magnetic_maps.h"
 #include "store/site_store.h"
 #include "store/transaction.h"
 #include "ui/connect/look.h"
@@ -25,6 +26,24 @@ protected:
     ASSERT_TRUE(QFile::exists(path) || QFile::copy(QStringLiteral(TESSERA_SITES "/paper.tessera.json"), path));
     ASSERT_NO_FATAL_FAILURE(openWindow(false));
     ASSERT_TRUE(window->files().open(path));
+  }
+  /// One node of the real floor's, kept when the window was closed.
+  void leaveIronBehind() {
+    ASSERT_NO_FATAL_FAILURE(openFloor());
+    locate::MagneticMap some;
+    some.learn({1, 1}, 0.1, 0.001);
+    window->keeper().keepMagneticMap(window->keeper().key(), false, std::make_shared<locate::MagneticMap>(some));
+    ASSERT_TRUE(closeWindow());
+  }
+  /// While no window is open. Null: nothing.
+  [[nodiscard]] std::shared_ptr<const locate::MagneticMap> stored(const char* file, bool simulated) const {
+    const auto database = store::Database::open(Keeper::databasePath().toStdString());
+    EXPECT_TRUE(database);
+    if (!database) return nullptr;
+    const auto kept =
+        store::MagneticMaps{**database}.load(store::keyOfFile(home.filePath(file).toStdString()), simulated);
+    EXPECT_TRUE(kept);
+    return kept.value_or(nullptr);
   }
   [[nodiscard]] const locate::MagneticMap& iron() const { return *window->magneticDesk().map(); }
   /// Drives until so much was learned.
@@ -90,11 +109,13 @@ TEST_F(IronInWindow, isLearnedShownKeptAndForgotten) {
   ASSERT_TRUE(closeWindow());
 
   ASSERT_NO_FATAL_FAILURE(openFloor());
+  ASSERT_TRUE(until([&] { return !window->magneticDesk().isLoading(); }));
   EXPECT_TRUE(iron().empty()) << "what was learned in the simulated world is none of the real floor's";
   window->connectTo({});
   ASSERT_TRUE(until([&] { return vehicle().contact == supervisor::Contact::Connected; }));
-  EXPECT_GE(iron().nodeCount(), 20U);
-  EXPECT_GE(window->session().latest()->magnetic->nodeCount(), 20U) << "the supervision has it";
+  EXPECT_TRUE(until([&] { return iron().nodeCount() >= 20U; }));
+  EXPECT_TRUE(until([&] { return window->session().latest()->magnetic->nodeCount() >= 20U; }))
+      << "the supervision has it";
   forget = find<QAction>("forgetIron");
   answerQuestion("forgetIronQuestion", "Cancel");
   chooseInMenu(menuWith(forget), forget);
@@ -105,18 +126,64 @@ TEST_F(IronInWindow, isLearnedShownKeptAndForgotten) {
   EXPECT_FALSE(forget->isEnabled());
   EXPECT_TRUE(until([&] { return window->session().latest()->magnetic->empty(); }));
   ASSERT_TRUE(closeWindow());
-  const auto kept = Keeper::magneticMap(store::keyOfFile(home.filePath("floor.tessera.json").toStdString()), true);
-  ASSERT_TRUE(kept);
-  EXPECT_EQ(*kept, nullptr);
+  EXPECT_EQ(stored("floor.tessera.json", true), nullptr);
+}
+
+TEST_F(IronInWindow, comesAfterTheWindowHasGoneOn) {
+  ASSERT_NO_FATAL_FAILURE(leaveIronBehind());
+  ASSERT_NO_FATAL_FAILURE(openFloor());
+  EXPECT_TRUE(window->magneticDesk().isLoading()) << "opening does not wait for the database";
+  EXPECT_TRUE(iron().empty());
+  ASSERT_TRUE(until([&] { return !window->magneticDesk().isLoading(); }));
+  EXPECT_EQ(iron().nodeCount(), 1U);
+  EXPECT_EQ(window->canvas().magnetic().map(), window->magneticDesk().map());
+  EXPECT_TRUE(find<QAction>("forgetIron")->isEnabled());
+}
+
+TEST_F(IronInWindow, ofASiteThatWasLeftMeanwhileIsNotShownOnTheNext) {
+  ASSERT_NO_FATAL_FAILURE(leaveIronBehind());
+  ASSERT_NO_FATAL_FAILURE(openFloor());
+  const QString next = home.filePath("next.tessera.json");
+  ASSERT_TRUE(QFile::copy(QStringLiteral(TESSERA_SITES "/paper.tessera.json"), next));
+  bool shown = false;
+  QObject::connect(&window->magneticDesk(), &MagneticDesk::changed, window.get(),
+                   [&] { shown = shown || !iron().empty(); });
+  ASSERT_TRUE(window->magneticDesk().isLoading());
+  ASSERT_TRUE(window->files().open(next));
+  // Answers come in the order in which they were asked for.
+  ASSERT_TRUE(until([&] { return !window->magneticDesk().isLoading(); }));
+  EXPECT_FALSE(shown);
+  ASSERT_TRUE(closeWindow());
+  EXPECT_EQ(stored("next.tessera.json", false), nullptr);
+  EXPECT_NE(stored("floor.tessera.json", false), nullptr);
+}
+
+TEST_F(IronInWindow, goesAlongWithASiteThatGotAnotherNameMeanwhile) {
+  ASSERT_NO_FATAL_FAILURE(leaveIronBehind());
+  ASSERT_NO_FATAL_FAILURE(openFloor());
+  ASSERT_TRUE(window->magneticDesk().isLoading());
+  window->keeper().onSaved(home.filePath("renamed.tessera.json"));
+  ASSERT_TRUE(until([&] { return !window->magneticDesk().isLoading(); }));
+  EXPECT_EQ(iron().nodeCount(), 1U);
+  ASSERT_TRUE(closeWindow());
+  EXPECT_NE(stored("renamed.tessera.json", false), nullptr);
+}
+
+TEST_F(IronInWindow, thatIsForgottenBeforeItCameStaysForgotten) {
+  ASSERT_NO_FATAL_FAILURE(leaveIronBehind());
+  ASSERT_NO_FATAL_FAILURE(openFloor());
+  ASSERT_TRUE(window->magneticDesk().isLoading());
+  window->magneticDesk().forget();
+  bool answered = false;
+  QObject::connect(&window->keeper(), &Keeper::magneticMapLoaded, window.get(), [&] { answered = true; });
+  ASSERT_TRUE(until([&] { return answered; }));
+  EXPECT_TRUE(iron().empty());
+  ASSERT_TRUE(closeWindow());
+  EXPECT_EQ(stored("floor.tessera.json", false), nullptr);
 }
 
 TEST_F(IronInWindow, thatCannotBeReadIsBegunAnewWithASentence) {
-  ASSERT_NO_FATAL_FAILURE(openFloor());
-  const std::string key = window->keeper().key();
-  locate::MagneticMap some;
-  some.learn({1, 1}, 0.1, 0.001);
-  window->keeper().keepMagneticMap(key, false, std::make_shared<locate::MagneticMap>(some));
-  ASSERT_TRUE(closeWindow());
+  ASSERT_NO_FATAL_FAILURE(leaveIronBehind());
   {
     auto database = store::Database::open(Keeper::databasePath().toStdString());
     ASSERT_TRUE(database);
@@ -128,6 +195,7 @@ TEST_F(IronInWindow, thatCannotBeReadIsBegunAnewWithASentence) {
   QString told;
   QObject::connect(&window->magneticDesk(), &MagneticDesk::failed, window.get(), [&](const QString& s) { told = s; });
   ASSERT_TRUE(window->files().open(home.filePath("floor.tessera.json")));
+  ASSERT_TRUE(until([&] { return !window->magneticDesk().isLoading(); }));
   EXPECT_TRUE(told.contains("These bytes are no magnetic map.")) << told.toStdString();
   EXPECT_TRUE(iron().empty());
 }

@@ -2,14 +2,17 @@
 #include <QBuffer>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QLabel>
 #include <QPainter>
 #include <QTableWidget>
 #include <algorithm>
 
 #include "app/desktop/pictures.h"
+#include "app/tessera/magnetic_desk.h"
 #include "app/tessera/site_files.h"
 #include "floor/new_floor.h"
 #include "floor/site_json.h"
+#include "locate/magnetic_map.h"
 #include "ui/locating/locating_panel.h"
 
 namespace tessera::desktop {
@@ -92,6 +95,36 @@ TEST_F(Pictures, showACalibrationWhole) {
   for (const Dress& dress : kDresses) {
     wear(dress);
     take(*window, QStringLiteral("calibrate-live"), dress);
+  }
+}
+
+TEST_F(Pictures, showASurveyOfTheCompassWhole) {
+  ASSERT_NO_FATAL_FAILURE(openWindow(false));
+  ASSERT_NO_FATAL_FAILURE(startDemo());
+  window->selection().setVehicle(VehicleId{1});
+  trigger("compass");
+  ASSERT_TRUE(until([&] { return find("turnForSurvey")->isVisible() && find("turnForSurvey")->isEnabled(); }));
+  QTest::mouseClick(find("turnForSurvey"), Qt::LeftButton);
+  const auto* figures = find<QLabel>("surveyFigures");
+  ASSERT_TRUE(until([&] { return figures->text().startsWith(QStringLiteral("Hard iron")); }))
+      << find<QLabel>("surveyResult")->text().toStdString();
+  for (const Dress& dress : kDresses) {
+    wear(dress);
+    take(*window, QStringLiteral("compass-live"), dress);
+  }
+}
+
+TEST_F(Pictures, showTheIronInTheFloorWhole) {
+  ASSERT_NO_FATAL_FAILURE(openWindow(false));
+  ASSERT_NO_FATAL_FAILURE(startDemo());
+  find<QAction>("layerIron")->setChecked(true);
+  pressWhenOffered("runAction", Qt::Key_F5);
+  const auto nodes = [&] { return window->magneticDesk().map()->nodeCount(); };
+  ASSERT_TRUE(until([&] { return nodes() >= 25; })) << nodes();
+  for (const Dress& dress : kDresses) {
+    wear(dress);
+    window->canvas().fit();
+    take(*window, QStringLiteral("iron"), dress);
   }
 }
 

@@ -12,6 +12,7 @@
 #include "tests/ui/commission/fake_link.h"
 #include "tests/ui/commission/wizard_hands.h"
 #include "ui/base/notice.h"
+#include "ui/calibrate/compass_survey.h"
 #include "ui/commission/commission_wizard.h"
 #include "ui/commission/settings_page.h"
 
@@ -37,6 +38,17 @@ protected:
       else
         hands.skip();
     }
+  }
+  /// As far as the answer that its program knows nothing of surveys.
+  void openCompassOfAnOldVehicle() {
+    link.show(seen());
+    open(CommissionWizard::kCompass);
+    EXPECT_FALSE(hands.at<QAbstractButton>("calibrateCompass").isVisible()) << "a chart is the better way";
+    hands.click("turnForSurvey");
+    for (std::size_t n = 0; n < CompassSurvey::Values{}.size(); ++n) link.answer(wire::Outcome::Done, 0);
+    EXPECT_EQ(link.last<supervisor::Ask>().request.parameter, static_cast<int>(wire::Action::SurveyCompass));
+    link.answer(wire::Outcome::Unknown, 0);
+    EXPECT_TRUE(hands.at<QAbstractButton>("calibrateCompass").isVisible());
   }
   supervisor::Snapshot seen(double time = 10.0) { return seenVehicles({1}, Seconds{time}); }
   bool nextAllowed() { return hands.button(QWizard::NextButton).isEnabled(); }
@@ -122,9 +134,8 @@ TEST_F(WizardLiveTest, TheCompassShowsTheBearingOfTheNose) {
   EXPECT_TRUE(nextAllowed());
 }
 
-TEST_F(WizardLiveTest, ACalibrationIsStartedWatchedAndJudged) {
-  link.show(seen());
-  open(CommissionWizard::kCompass);
+TEST_F(WizardLiveTest, AVehicleTooOldForAChartCalibratesByItself) {
+  openCompassOfAnOldVehicle();
   hands.click("calibrateCompass");
   EXPECT_EQ(link.last<supervisor::Ask>().request.type, wire::MessageType::Do);
   link.answer(wire::Outcome::Started, 0);
@@ -149,12 +160,33 @@ TEST_F(WizardLiveTest, ACalibrationIsStartedWatchedAndJudged) {
 }
 
 TEST_F(WizardLiveTest, LeavingThePageStopsACalibration) {
-  link.show(seen());
-  open(CommissionWizard::kCompass);
+  openCompassOfAnOldVehicle();
   hands.click("calibrateCompass");
   link.answer(wire::Outcome::Started, 0);
   hands.back();
   EXPECT_EQ(link.count<supervisor::Stop>(), 1U);
+}
+
+TEST_F(WizardLiveTest, LeavingThePageStopsASurvey) {
+  link.show(seen());
+  open(CommissionWizard::kCompass);
+  hands.click("turnForSurvey");
+  for (std::size_t n = 0; n < CompassSurvey::Values{}.size(); ++n) link.answer(wire::Outcome::Done, 0);
+  link.answer(wire::Outcome::Started, 0);
+  EXPECT_FALSE(nextAllowed());
+  hands.back();
+  EXPECT_EQ(link.count<supervisor::Stop>(), 1U);
+}
+
+TEST_F(WizardLiveTest, TheSummaryLeadsOnToReadersAndWheels) {
+  link.show(seen());
+  open(CommissionWizard::kSummary);
+  EXPECT_FALSE(wizard.goesOnCalibrating());
+  hands.click("calibrateNext");
+  EXPECT_FALSE(wizard.isVisible());
+  EXPECT_EQ(wizard.result(), QDialog::Accepted);
+  EXPECT_TRUE(wizard.goesOnCalibrating());
+  EXPECT_TRUE(wizard.vehicle());
 }
 
 TEST_F(WizardLiveTest, DrivingByHandIsDoneWhenTheVehicleHasMoved) {
