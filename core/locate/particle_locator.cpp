@@ -43,7 +43,10 @@ void ParticleLocator::reset(std::optional<Pose> pose) {
   drawIn();
 }
 
-void ParticleLocator::drawIn() { moments_ = cloud_.moments(); }
+void ParticleLocator::drawIn() {
+  moments_ = cloud_.moments();
+  if (rivals_) rivalMoments_ = rival_.moments();
+}
 
 void ParticleLocator::add(const Motion& motion) {
   if (!std::isfinite(motion.at.value() + motion.travel.value() + motion.speed.value() + motion.heading.value())) {
@@ -228,7 +231,7 @@ void ParticleLocator::silence(int reader, double attempt) {
   };
   const double chance = weigh(cloud_, moments_);
   if (!rivals_) return;
-  lead_ += std::log(std::max(chance, 0.1)) - std::log(std::max(weigh(rival_, rival_.moments()), 0.1));
+  lead_ += std::log(std::max(chance, 0.1)) - std::log(std::max(weigh(rival_, rivalMoments_), 0.1));
 }
 
 std::vector<Point> ParticleLocator::guesses(std::size_t most) const {

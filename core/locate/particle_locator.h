@@ -85,7 +85,8 @@ private:
   PollClock clock_;
   ParticleCloud cloud_;
   ParticleCloud rival_;
-  ParticleCloud::Moments moments_;  ///< of the cloud as it is now
+  ParticleCloud::Moments moments_;       ///< of the cloud as it is now
+  ParticleCloud::Moments rivalMoments_;  ///< and of the rival, if it stands for something
   std::vector<Watch> watches_;
   std::vector<Pending> pending_;       ///< reads from before the first motion
   std::vector<Eigen::Vector2d> near_;  ///< scratch

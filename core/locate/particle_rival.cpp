@@ -59,6 +59,7 @@ void ParticleLocator::contradicted(int reader, const Eigen::Vector2d& tag, doubl
   rival_.moved(wayBetween(cloudFrom_, odometry_.last().value()));
   rival_.scatterUnder(tag, then.lever - then.way, radius, moments_.mean(2), kRivalBias);
   rivals_ = true;
+  rivalMoments_ = rival_.moments();
   rivalReads_ = 1;
   rivalTag_ = tag;
   lead_ = kStartLead;
