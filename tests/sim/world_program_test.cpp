@@ -56,6 +56,8 @@ TEST(WorldOptions, surviveTheWayThroughTheWordsOfACall) {
                                        "0.8",
                                        "--radius",
                                        "0.07",
+                                       "--true-radius",
+                                       "0.065",
                                        "--slip",
                                        "0.05",
                                        "--compass-noise",
@@ -84,6 +86,7 @@ TEST(WorldOptions, surviveTheWayThroughTheWordsOfACall) {
   EXPECT_EQ(once.airRate, 9600.0);
   EXPECT_EQ(once.readTime, 0.15);
   EXPECT_EQ(once.compassSpots, 12.0);
+  EXPECT_EQ(once.trueRadius, 0.065);
   EXPECT_EQ(worldArguments(parsed(worldArguments(once))), worldArguments(once));
   EXPECT_EQ(worldArguments(once).size(), words.size());
 }
@@ -124,6 +127,22 @@ TEST(MakeWorld, putsTheSitesVehiclesAtTheirPlaces) {
   ASSERT_TRUE(made->world->startAll());
   made->world->advance(Seconds{0.5});
   EXPECT_TRUE(made->world->running(site->vehicles.front().id));
+}
+
+TEST(Radius, isWhatTheSiteIsToldAndTrueUnlessATrueOneIsGiven) {
+  auto site = floor::loadSite(three().site);
+  ASSERT_TRUE(site);
+  auto options = three();
+  options.radius = 0.08;
+  applyTo(*site, options);
+  for (const auto& setup : site->vehicles) {
+    EXPECT_EQ(setup.readerRadius, Metres{0.08});
+    EXPECT_EQ(bodyFor(setup, options).readers.radius, Metres{0.08});
+  }
+  options.trueRadius = 0.05;
+  applyTo(*site, options);
+  EXPECT_EQ(site->vehicles.front().readerRadius, Metres{0.08}) << "nobody tells the site";
+  EXPECT_EQ(bodyFor(site->vehicles.front(), options).readers.radius, Metres{0.05});
 }
 
 TEST(MakeWorld, takesOnlyTheVehiclesThatAreNamed) {
