@@ -51,6 +51,7 @@ INSTANTIATE_TEST_SUITE_P(
               "--out",         "--estimator", "--controller", "--limit",     "--lockstep",  "--json",
               "--quiet",       "--seed",      "--air-rate",   "--loss",      "--detection", "--dead-tags",
               "--true-radius", "--slip",      "--corrupt",    "--eeprom-dir"}},
+        Call{"charts", {"charts", "--help"}, {"RUNS", "--by", "--out", "--json", "errors.png", "tracking.png"}},
         Call{"drive",
              {"drive", "--help"},
              {"SITE", "--port", "--drive", "--speed", "--limit", "--estimator", "--controller", "--json", "--quiet"}},
