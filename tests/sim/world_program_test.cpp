@@ -31,53 +31,13 @@ WorldOptions parsed(std::vector<std::string> words) {
 }
 
 TEST(WorldOptions, surviveTheWayThroughTheWordsOfACall) {
-  const std::vector<std::string> words{kSites + "three.tessera.json",
-                                       "--vehicle",
-                                       "1",
-                                       "--vehicle",
-                                       "3",
-                                       "--kind",
-                                       "qemu",
-                                       "--seed",
-                                       "42",
-                                       "--air-rate",
-                                       "9600",
-                                       "--air-factor",
-                                       "1.25",
-                                       "--loss",
-                                       "0.1",
-                                       "--delay",
-                                       "0.3",
-                                       "--poll",
-                                       "0.2",
-                                       "--read-time",
-                                       "0.15",
-                                       "--detection",
-                                       "0.8",
-                                       "--radius",
-                                       "0.07",
-                                       "--true-radius",
-                                       "0.065",
-                                       "--slip",
-                                       "0.05",
-                                       "--compass-noise",
-                                       "2",
-                                       "--compass-bias",
-                                       "3",
-                                       "--compass-spots",
-                                       "12",
-                                       "--corrupt",
-                                       "0.01",
-                                       "--drop",
-                                       "0.02",
-                                       "--replay",
-                                       "0.03",
-                                       "--fresh",
-                                       "3",
-                                       "--truth",
-                                       "t.csv",
-                                       "--eeprom-dir",
-                                       "e"};
+  std::istringstream rest{
+      "--vehicle 1 --vehicle 3 --kind qemu --seed 42 --air-rate 9600 --air-factor 1.25 --loss 0.1 --delay 0.3 --poll "
+      "0.2 --read-time 0.15 --detection 0.8 --radius 0.07 --true-radius 0.065 --slip 0.05 --compass-noise 2 "
+      "--compass-bias 3 --compass-spots 12 --corrupt 0.01 --drop 0.02 --replay 0.03 --fresh 3 --truth t.csv "
+      "--eeprom-dir e"};
+  std::vector<std::string> words{kSites + "three.tessera.json"};
+  for (std::string word; rest >> word;) words.push_back(word);
   const WorldOptions once = parsed(words);
   EXPECT_EQ(once.vehicles, (std::vector<unsigned>{1, 3}));
   EXPECT_EQ(once.fresh, std::vector<unsigned>{3});
