@@ -31,6 +31,9 @@ class Table:
     jobs: int = None  # None: as many as suit the machine
     baseline: bool = False  # what does not finish, or is refused, is a result and no failure
 
+    def lockstep(self):
+        return "--lockstep" in self.words
+
     def head(self):
         return tables.head(self.keys, self.kind)
 

@@ -19,17 +19,23 @@ import tables
 ROOT = experiments.ROOT
 
 
-def put_into(document, name, lines):
-    """In the document the table that follows `<!-- table: NAME -->` becomes these lines. ValueError: it has none."""
-    text = document.read_text(encoding="utf-8").split("\n")
+def place_of(lines, name):
+    """First and last + 1 of the document's lines that are this table. ValueError: it has none, or several."""
     marker = f"<!-- table: {name} -->"
-    if text.count(marker) != 1:
-        raise ValueError(f"{document} has not one line {marker}")
-    first = text.index(marker) + 1
+    if lines.count(marker) != 1:
+        raise ValueError(f"the document has not one line {marker}")
+    first = lines.index(marker) + 1
     last = first
-    while last < len(text) and text[last].startswith("|"):
+    while last < len(lines) and lines[last].startswith("|"):
         last += 1
-    document.write_text("\n".join(text[:first] + lines + text[last:]), encoding="utf-8")
+    return first, last
+
+
+def put_into(document, name, table):
+    """What follows `<!-- table: NAME -->` becomes these lines."""
+    lines = document.read_text(encoding="utf-8").split("\n")
+    first, last = place_of(lines, name)
+    document.write_text("\n".join(lines[:first] + table + lines[last:]), encoding="utf-8")
 
 
 def unicycle(programs):
@@ -83,23 +89,25 @@ def main():
     def wanted(name, part):
         return arguments.part in ("all", part) and name in (arguments.only or [name])
 
+    chosen = [table for table in documented.TABLES if wanted(table.name, "lockstep" if table.lockstep() else "real")]
+    cycle = wanted("unicycle", "lockstep")
+    for name in [table.name for table in chosen] + ["unicycle"] * cycle if arguments.into else ():
+        place_of(arguments.into.read_text(encoding="utf-8").split("\n"), name)  # said before hours of runs, not after
+
     def give(name, title, lines):
         print(f"\n== {title} ({name})\n\n" + "\n".join(lines), flush=True)
         if arguments.into:
             put_into(arguments.into, name, lines)
 
     print(f"Machine: {experiments.machine()}")
-    for table in documented.TABLES:
-        lockstep = "--lockstep" in table.words
-        if not wanted(table.name, "lockstep" if lockstep else "real"):
-            continue
-        jobs = table.jobs or experiments.jobs_for(lockstep)
+    for table in chosen:
+        jobs = table.jobs or experiments.jobs_for(table.lockstep())
         cases = tables.measure(programs / "tessera-cli", list(table.drives(ROOT / "resources/sites")), out / table.name, jobs)
         give(table.name, table.title, [*table.head(), *tables.rows(cases, table.kind)])
         for note in tables.notes([r for _, results in cases for r in results]):
             print("\n" + note, flush=True)
         failed = experiments.complain(cases, table.baseline) or failed
-    if wanted("unicycle", "lockstep") and (lines := unicycle(programs)):
+    if cycle and (lines := unicycle(programs)):
         give("unicycle", "Controllers on a unicycle without radio", lines)
     drawn = draw(programs, out, arguments.into and arguments.into.parent / "pictures")
     return 1 if failed or not drawn else 0

@@ -103,7 +103,9 @@ def rows(cases, kind):
 def notes(results):
     """What stands below a table on the terminal."""
     channels = [r["channel"] for r in results if "channel" in r]
-    if channels:
+    # Of radios that differ the average says nothing.
+    radios = {tuple(r["options"].get(n) for n in ("air_rate_bit_per_s", "air_factor", "delay_s")) for r in results if "options" in r}
+    if channels and len(radios) == 1:
         at = {name: mean([c[name] for c in channels]) for name in channels[0]}
         yield (f"At the runs' ends, on average: {1000 * at['cycle_s']:.0f} ms between two commands to a vehicle, answer slots"
                f" of {1000 * at['slot_s']:.0f} ms, time on air {at['air_factor']:.2f} times the formula's.")

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Tries the scripts behind docs/experiments.md on a stand-in for tessera-cli: what they run, write and print."""
+import contextlib
 import csv
+import io
 import json
 import os
 import pathlib
@@ -115,6 +117,7 @@ class Vary(OnAStandIn):
         self.assertEqual([bool(line["error"]) for line in self.table()], [False, True])
         self.assertEqual(self.bench("--speeds", "0.55", "--seeds", "1").returncode, 1)
         self.assertEqual(self.bench("--speeds", "0.55", "--seeds", "1", "--baseline").returncode, 0)
+        self.assertEqual(self.bench("--speeds", "0.66", "--seeds", "1", "--baseline").returncode, 1, "nothing else is there")
 
 
 class Renew(OnAStandIn):
@@ -145,6 +148,7 @@ class Renew(OnAStandIn):
         done = self.renew(str(self.folder), "--only", "three", "--into", str(document), "--out", str(self.folder / "out"))
         self.assertEqual(done.returncode, 1)
         self.assertIn("<!-- table: three -->", done.stderr)
+        self.assertFalse((self.folder / "out").exists(), "it is told before anything is run")
 
     def test_wrong_calls_are_refused(self):
         for words in ([], [str(self.folder), "fast"], [str(self.folder), "--only", "moon"], [str(self.folder / "none")]):
@@ -206,6 +210,14 @@ class Settings(unittest.TestCase):
         table = next(t for t in documented.TABLES if t.name == "foretold")
         readers = [drives[0][0]["readers"] for _, drives in table.drives("sites")]
         self.assertEqual(readers, ["1", "2", "3", "5", "3", "3", "3", "3"])
+
+    def test_refused_runs_of_a_baseline_are_a_result_beside_others(self):
+        some = [(["x"], [{"finished": True}, {"error": "refused"}])]
+        with contextlib.redirect_stderr(io.StringIO()) as said:
+            self.assertTrue(experiments.complain(some, baseline=False))
+            self.assertFalse(experiments.complain(some, baseline=True))
+            self.assertTrue(experiments.complain([(["x"], [{"error": "refused"}])], baseline=True))
+        self.assertIn("1 of 2 runs of the row x gave no figures, the first: refused\n", said.getvalue())
 
     def test_a_value_is_varied_by_its_name(self):
         self.assertEqual(experiments.varied("--readers=1,2"), ("readers", ["1", "2"]))
