@@ -77,9 +77,9 @@ Result<void> saveSpeedChart(const std::string& title, const std::vector<SpeedPan
   for (const SpeedPanel& panel : panels)
     for (const SpeedSeries& series : panel.series)
       for (const AtSpeed& point : series.points) fastest = std::max(fastest, point.speed);
-  auto* margins = new QCPMarginGroup{&plot};
+  QCPMarginGroup margins{&plot};
   for (std::size_t i = 0; i < panels.size(); ++i) addPanel(plot, panels[i], static_cast<int>(i), fastest);
-  for (QCPAxisRect* rect : plot.axisRects()) rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
+  for (QCPAxisRect* rect : plot.axisRects()) rect->setMarginGroup(QCP::msLeft | QCP::msRight, &margins);
   addChartTitle(plot, title);
   putLegendBelow(plot, 3);
   return saveChart(plot, file, kRoom + kPanelHeight * static_cast<int>(panels.size()));
