@@ -1,201 +1,136 @@
 #!/usr/bin/env python3
-"""Runs an experiment over speeds and seeds and prints a table of docs/experiments.md.
+"""Runs an experiment over speeds, seeds and whatever else is varied, and prints a table as those of docs/experiments.md.
 
-Every run is one call of `tessera-cli experiment`; its folder keeps summary.json, track.csv and track.png.
-Runs go side by side as far as --jobs allows. Ends with 1 when a run gave no figures or did not finish.
+Every run is one call of `tessera-cli experiment`; its folder keeps summary.json, track.csv and track.png, and runs.csv
+beside the folders holds all options and figures of all runs, one line a run (and vehicle, where a run has several);
+`tessera-cli charts` draws it. Runs go side by side as far as --jobs allows. Ends with 1 when a run gave no figures or did
+not finish.
+
+  bench/experiments.py --vehicle native --vary estimator=particles,kalman --vary pitch=0.10,0.20 -- --lockstep
 """
 import argparse
-import concurrent.futures
-import json
+import itertools
 import os
 import pathlib
 import platform
-import statistics
-import subprocess
 import sys
-import tempfile
 
-import floors
+import runs
+import tables
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
-def cpu_model():
-    for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines() if os.path.exists("/proc/cpuinfo") else []:
+def machine():
+    info = pathlib.Path("/proc/cpuinfo")
+    for line in info.read_text().splitlines() if info.exists() else []:
         if line.startswith("model name"):
-            return line.split(":", 1)[1].strip()
-    return platform.processor() or platform.machine()
+            return f"{line.split(':', 1)[1].strip()}, {os.cpu_count()} cores"
+    return f"{platform.processor() or platform.machine()}, {os.cpu_count()} cores"
 
 
-def run_on_floor(arguments, kind, seed):
-    """A run on a floor that is made for it."""
-    with tempfile.TemporaryDirectory() as folder:
-        words = argparse.Namespace(**vars(arguments))
-        words.site = pathlib.Path(folder) / "floor.tessera.json"
-        words.drive, words.route, words.out = [], floors.ROUTE, arguments.out / f"floor-{kind}"
-        words.extra = [*arguments.extra, *floors.write(floors.load(arguments.site), kind, seed, words.site)]
-        return run(words, arguments.speeds[0], seed)
+def jobs_for(lockstep):
+    """As many as cores, one less where runs are in real time."""
+    cores = os.cpu_count() or 1
+    return cores if lockstep else max(1, cores - 1)
 
 
-def run(arguments, speed, seed):
-    out = arguments.out / f"{arguments.vehicle}-{speed:g}-{seed}"
-    summary = out / "summary.json"
-    summary.unlink(missing_ok=True)  # an earlier run's figures are not this one's
-    routes = [word for drive in arguments.drive for word in ("--drive", drive)] or ["--route", arguments.route]
-    command = [str(arguments.cli), "experiment", str(arguments.site), *routes, "--speed", f"{speed:g}",
-               "--vehicle", arguments.vehicle, "--seed", str(seed), "--out", str(out), "--quiet", *arguments.extra]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    if not summary.exists():
-        return {"error": (done.stderr or done.stdout).strip()}
-    figures = json.loads(summary.read_text())
-    if any(vehicle["samples"] == 0 for vehicle in figures["vehicles"]):
-        return {"error": "a vehicle never drove, so nothing was measured"}
-    return figures
+def varied(text):
+    name, equals, values = text.partition("=")
+    values = [value for value in values.split(",") if value]
+    if not equals or not name or not values:
+        raise argparse.ArgumentTypeError(f"{text} is not of the form NAME=a,b,c")
+    name = name.removeprefix("--")
+    if name in ("seed", "speed", "out", "site"):
+        raise argparse.ArgumentTypeError({"seed": "seeds are varied by --seeds and --first-seed",
+                                          "speed": "speeds are varied by --speeds"}.get(name, f"{name} cannot be varied"))
+    return name, values
 
 
-def seeds_of(arguments):
-    return range(arguments.first_seed, arguments.first_seed + arguments.seeds)
+def complain(cases, baseline):
+    """Says on standard error which rows have runs that gave no figures or did not finish. True: there is cause for exit
+    code 1. Of a baseline both are results, unless a row has nothing else."""
+    failed = False
+    for keys, results in cases:
+        errors = [r["error"] for r in results if "error" in r]
+        late = sum(not r["finished"] for r in results if "error" not in r)
+        name = f"of {len(results)} runs of the row {' | '.join(keys)}"
+        if errors:
+            print(f"{len(errors)} {name} gave no figures, the first: {errors[0]}", file=sys.stderr)
+        if late:
+            print(f"{late} {name} did not reach the end of their routes.", file=sys.stderr)
+        failed = failed or len(errors) == len(results) or (not baseline and bool(errors or late))
+    return failed
 
 
-def row(speed, name, results):
-    """One line of the table: a vehicle at one speed, over its seeds. results: its figures, None where a run gave none."""
-    good = [figures for figures in results if figures is not None]
-    head = f"| {speed:.2f} |" + (f" {name} |" if name else "")
-    if not good:
-        return f"{head} 0/{len(results)} |" + " – |" * 7
-
-    def centimetres(name, pick):
-        return f"{100 * pick(v[name] for v in good):.2f}"
-
-    return (f"{head} {sum(v['finished'] for v in good)}/{len(results)} "
-            f"| {centimetres('position_error_mean_m', statistics.fmean)} | {centimetres('position_error_mean_m', max)} "
-            f"| {centimetres('position_error_p95_m', max)} "
-            f"| {centimetres('cross_track_rms_m', statistics.fmean)} | {centimetres('cross_track_rms_m', max)} "
-            f"| {sum(v['reversals'] for v in good)} | {min(v['mean_speed_ratio'] for v in good):.2f} |")
-
-
-def limits_row(speed, results):
-    """One line of the table of limits: a speed over its seeds. results: whole summaries."""
-    good = [r for r in results if "error" not in r]
-    if not good:
-        return f"| {speed:.2f} | 0/{len(results)} |" + " – |" * 8
-
-    def centimetres(name, pick):
-        return f"{100 * pick(r[name] for r in good):.2f}"
-
-    line = (f"| {speed:.2f} | {sum(r['finished'] for r in good)}/{len(results)} "
-            f"| {centimetres('position_error_mean_m', statistics.fmean)} | {centimetres('position_error_mean_m', max)} "
-            f"| {centimetres('cross_track_rms_off_corners_m', statistics.fmean)} "
-            f"| {centimetres('cross_track_max_off_corners_m', max)} | {centimetres('end_error_m', max)} "
-            f"| {statistics.fmean(r['nees_mean'] for r in good):.2f} | {sum(r['consistent'] for r in good)}/{len(good)} "
-            f"| {min(r['mean_speed_ratio'] for r in good):.2f} |")
-    carried = [r["carried"] for r in good if "carried" in r]
-    if carried:
-        ways = [c["found_after_m"] for c in carried if c["found"]]
-        line += (f"\n\nFound again after being carried: {len(ways)} of {len(carried)}, after {statistics.fmean(ways):.2f} m"
-                 f" on average and {max(ways):.2f} m at most, {sum(w <= 1.0 for w in ways)} within 1 m; sure of a wrong"
-                 f" place for {statistics.fmean(c['wrongly_sure_s'] for c in carried):.1f} s on average.")
-    return line
-
-
-def print_limits(arguments, results):
-    print("| m/s | finished | position error mean, cm | worst seed | cross-track RMS off corners, cm | largest, worst seed |"
-          " off the end, worst seed | NEES (2 is honest) | consistent runs | mean speed ratio, worst seed |")
-    print("| --- " * 10 + "|")
-    for speed in arguments.speeds:
-        print(limits_row(speed, [results[(speed, seed)] for seed in seeds_of(arguments)]))
-
-
-DIVERGED = 0.5  # m: with an error of more than this, at any time after its first place, a locator has diverged
-
-
-def print_floors(arguments, results):
-    print("| floor and route | finished | position error mean, cm | worst seed | largest at any time, worst seed |"
-          " cross-track RMS, cm | worst seed | diverged |")
-    print("| --- " * 8 + "|")
-    diverged = 0
-    for kind, (name, _, _) in enumerate(floors.KINDS):
-        good = [r for r in (results[(kind, seed)] for seed in seeds_of(arguments)) if "error" not in r]
-        lost = sum(r["position_error_max_m"] > DIVERGED for r in good)
-        diverged += lost
-        figures = [f"{100 * pick(r[figure] for r in good):.2f}" if good else "–"
-                   for figure, pick in (("position_error_mean_m", statistics.fmean), ("position_error_mean_m", max),
-                                        ("position_error_max_m", max), ("cross_track_rms_m", statistics.fmean),
-                                        ("cross_track_rms_m", max))]
-        print(f"| {name} | {sum(r['finished'] for r in good)}/{arguments.seeds} | {' | '.join(figures)} | {lost} |")
-    print(f"\nDiverged (an error above {100 * DIVERGED:.0f} cm at any time after the first place): {diverged} of"
-          f" {len(results)} runs.")
-
-
-def print_table(arguments, results):
-    several = len(arguments.drive) > 1
-    print("| m/s |" + (" vehicle |" if several else "") + " finished | position error mean, cm | worst seed |"
-          " p95, worst seed | cross-track RMS, cm | worst seed | reversals | mean speed ratio, worst seed |")
-    print("| --- " * (10 if several else 9) + "|")
-    for speed in arguments.speeds:
-        of_speed = [results[(speed, seed)] for seed in seeds_of(arguments)]
-        for i in range(max(1, len(arguments.drive))):
-            name = arguments.drive[i].split("=")[0] if several else ""
-            print(row(speed, name, [r["vehicles"][i] if "vehicles" in r else None for r in of_speed]))
-    channels = [r["channel"] for r in results.values() if "channel" in r]
-    if channels:
-        mean = {name: statistics.fmean(c[name] for c in channels) for name in channels[0]}
-        print(f"\nAt the runs' ends, on average: {1000 * mean['cycle_s']:.0f} ms between two commands to a vehicle, answer"
-              f" slots of {1000 * mean['slot_s']:.0f} ms, time on air {mean['air_factor']:.2f} times the formula's,"
-              f" {1000 * mean['delay_s']:.0f} ms beside it each way.")
-
-
-def parse():
-    root = pathlib.Path(__file__).resolve().parent.parent
+def parse(words=None):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--cli", type=pathlib.Path, default=root / "build/bin/tessera-cli")
-    parser.add_argument("--site", type=pathlib.Path, default=root / "resources/sites/paper.tessera.json")
+    parser.add_argument("--cli", type=pathlib.Path, default=ROOT / "build/bin/tessera-cli")
+    parser.add_argument("--site", type=pathlib.Path, default=ROOT / "resources/sites/paper.tessera.json")
     parser.add_argument("--route", default="paper", help="route of the site's first vehicle")
     parser.add_argument("--drive", action="append", default=[], metavar="ID=ROUTE",
                         help="a vehicle and its route, instead of --route; may be repeated")
     parser.add_argument("--vehicle", choices=["qemu", "native"], default="qemu")
     parser.add_argument("--speeds", type=float, nargs="+", default=[0.05, 0.08, 0.12, 0.20], metavar="M_PER_S")
+    parser.add_argument("--vary", type=varied, action="append", default=[], metavar="NAME=a,b,c",
+                        help="an option of `tessera-cli experiment`, or pitch, with the values that it takes in turn; may be"
+                             " repeated: the table has a row for each combination")
+    parser.add_argument("--pitch", type=float, metavar="M",
+                        help="the floor of --site with its tags at this pitch, which divides a tile")
     parser.add_argument("--seeds", type=int, default=5, help="this many seeds")
     parser.add_argument("--first-seed", type=int, default=1, help="the first of them (default 1)")
     parser.add_argument("--jobs", type=int,
                         help="runs side by side; default: as many as cores, one less where they are in real time")
-    parser.add_argument("--out", type=pathlib.Path, default=root / "out/experiments")
+    parser.add_argument("--out", type=pathlib.Path, default=ROOT / "out/experiments/runs")
     parser.add_argument("--limits", action="store_true",
                         help="the table of limits: off corners and the end, and how honest the locator is")
-    parser.add_argument("--floors", action="store_true",
-                        help="on floors of many kinds, made from --site for each seed; at the first of --speeds")
-    parser.add_argument("--baseline", action="store_true", help="runs that do not finish are no failure, only a result")
+    parser.add_argument("--floors", action="store_true", help="on floors of many kinds, made from --site for each seed")
+    parser.add_argument("--baseline", action="store_true", help="runs that do not finish, or are refused, are no failure but a result")
     parser.add_argument("extra", nargs="*", help="further options of `tessera-cli experiment`, after --")
-    arguments = parser.parse_args()
+    arguments = parser.parse_args(words)
+    try:
+        given = runs.setting_of(arguments.extra)
+    except ValueError as error:
+        parser.error(f"after --: {error}")
+    twice = [name for name, _ in arguments.vary if name in given or [n for n, _ in arguments.vary].count(name) > 1]
+    if twice:
+        parser.error(f"{twice[0]} is given twice")
+    if arguments.floors and (arguments.pitch or "pitch" in dict(arguments.vary)):
+        parser.error("--floors have the pitch that they have")
     if arguments.jobs is None:
-        cores = os.cpu_count() or 1
-        arguments.jobs = cores if "--lockstep" in arguments.extra else max(1, cores - 1)
+        arguments.jobs = jobs_for("lockstep" in given)
     if arguments.jobs < 1 or arguments.seeds < 1 or arguments.first_seed < 1:
         parser.error("--jobs, --seeds and --first-seed begin at 1")
-    return arguments
+    base = {"site": str(arguments.site.resolve()), "vehicle": arguments.vehicle}
+    base |= {"drive": " ".join(arguments.drive)} if arguments.drive else {"route": arguments.route}
+    base |= {"pitch": f"{arguments.pitch:g}"} if arguments.pitch else {}
+    return arguments, {**base, **given}
+
+
+def product(arguments, base):
+    """[(keys, [(setting, seed)])] of every combination, the first name varying slowest, the speed before all."""
+    axes = [[("speed", f"{speed:g}", f"{speed:.2f}") for speed in arguments.speeds]]
+    axes += [[(name, value, value) for value in values] for name, values in arguments.vary]
+    if arguments.floors:
+        axes.append([("floor", number, name) for name, number in tables.FLOORS])
+    seeds = range(arguments.first_seed, arguments.first_seed + arguments.seeds)
+    return [([shown for _, _, shown in one], [({**base, **{name: value for name, value, _ in one}}, s) for s in seeds])
+            for one in itertools.product(*axes)]
 
 
 def main():
-    arguments = parse()
-    firsts = range(len(floors.KINDS)) if arguments.floors else arguments.speeds
-    cases = [(first, seed) for first in firsts for seed in seeds_of(arguments)]
-    drive = run_on_floor if arguments.floors else run
-    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        results = dict(zip(cases, pool.map(lambda case: drive(arguments, *case), cases)))
-
-    print(f"Machine: {cpu_model()}, {os.cpu_count()} cores; {arguments.jobs} runs side by side; vehicle {arguments.vehicle};"
-          f" seeds {arguments.first_seed} to {arguments.first_seed + arguments.seeds - 1}; options: {' '.join(arguments.extra) or 'none'}\n")
-    (print_floors if arguments.floors else print_limits if arguments.limits else print_table)(arguments, results)
-    missing = [(case, r["error"]) for case, r in results.items() if "error" in r]
-    for (speed, seed), error in missing:
-        where = f"on floor {speed + 1}" if arguments.floors else f"at {speed:g} m/s"
-        print(f"The run {where} with seed {seed} gave no summary: {error}", file=sys.stderr)
-    troubled = sum(bool(r.get("world_complaints")) for r in results.values())
-    if troubled:
-        print(f"The machine did not keep step in {troubled} of {len(cases)} runs: this table is worth nothing. Take fewer"
-              " --jobs.")
-    late = sum(not r["finished"] for r in results.values() if "error" not in r)
-    if late and not arguments.baseline:
-        print(f"{late} of {len(cases)} runs did not reach the end of their routes.", file=sys.stderr)
-    return 1 if missing or (late and not arguments.baseline) else 0
+    arguments, base = parse()
+    kind = "floor" if arguments.floors else "limits" if arguments.limits else "drive"
+    cases = tables.measure(arguments.cli, product(arguments, base), arguments.out.resolve(), arguments.jobs)
+    print(f"Machine: {machine()}; {arguments.jobs} runs side by side; vehicle {arguments.vehicle}; seeds"
+          f" {arguments.first_seed} to {arguments.first_seed + arguments.seeds - 1}; options:"
+          f" {' '.join(arguments.extra) or 'none'}\n")
+    keys = ["m/s", *(name for name, _ in arguments.vary)]
+    keys += ["floor and route"] if arguments.floors else ["vehicle"] if kind == "drive" and len(arguments.drive) > 1 else []
+    print("\n".join([*tables.head(keys, kind), *tables.rows(cases, kind)]))
+    for note in tables.notes([r for _, results in cases for r in results]):
+        print("\n" + note)
+    return 1 if complain(cases, arguments.baseline) else 0
 
 
 if __name__ == "__main__":

@@ -39,6 +39,28 @@ def lay(site, cells, rng, turns=lambda rng: 0):
     site["zones"] = []
 
 
+def at_pitch(base, pitch):
+    """The same floor with its tags at this pitch in metres, one-in-two across the seams as well. Its tiles must not be
+    turned. ValueError: the pitch does not divide a tile."""
+    site, rng = copy.deepcopy(base), random.Random(f"pitch {pitch:g}")
+    kind = site["tile_types"][0]
+    width, count = kind["width_m"], round(kind["width_m"] / pitch) if pitch > 0 else 0
+    if count < 1 or abs(count * pitch - width) > 1e-6:
+        raise ValueError(f"a pitch of {pitch:g} m does not divide tiles of {width:g} m")
+    # With an odd number of places in a row the next tile goes on with a gap.
+    both = [{**kind, "name": name, "pitch_m": pitch, "margin_m": [pitch / 2] * 2, "columns": count, "rows": count,
+             "starts_with_gap": gap} for name, gap in ((kind["name"], False), (f"{kind['name']} gap first", True))]
+    site["tile_types"] = both if count % 2 else both[:1]
+    numbers = iter(uids(count * count * len(site["tiles"]), rng))
+    places = {placement["serial"]: placement for placement in site["placements"]}
+    for tile in site["tiles"]:
+        place = places[tile["serial"]]
+        gap = count % 2 * round((place["x_m"] + place["y_m"]) / width) % 2
+        tile["type"] = both[gap]["name"]
+        tile["uids"] = [next(numbers) for r in range(count) for c in range(count) if (c + r) % 2 == gap]
+    return site
+
+
 def route(site, vertices):
     site["routes"] = [{"name": ROUTE, "control_spacing_m": 0.2, "vertices_m": [[round(v, 6) for v in p] for p in vertices]}]
     (ax, ay), (bx, by) = vertices[:2]

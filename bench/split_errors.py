@@ -62,9 +62,40 @@ def split(track, line):
     return across, (along - last["length"], side), (along_believed - last["length"], side_believed)
 
 
+def line_of(site):
+    """The legs of the site's first route."""
+    return list(legs(json.loads(site.read_text(encoding="utf-8"))["routes"][0]["vertices_m"]))
+
+
 def rms(values):
     values = list(values)
     return 100 * math.sqrt(sum(v * v for v in values) / len(values))
+
+
+def told(true, believed):
+    """RMS of what was true, believed and mistaken, cm."""
+    return f"{rms(true):.2f} / {rms(believed):.2f} / {rms(b - t for t, b in zip(true, believed)):.2f}"
+
+
+class Split:
+    """Of many runs, each as split() gives it."""
+
+    def __init__(self, found):
+        self.pairs = [pair for across, _, _ in found for pair in across]
+        self.true, self.believed = [true for _, true, _ in found], [believed for _, _, believed in found]
+
+    def across(self):
+        return told(*zip(*self.pairs))
+
+    def end(self, axis):
+        """axis 0: along, 1: across."""
+        return told([end[axis] for end in self.true], [end[axis] for end in self.believed])
+
+    def within(self, metres):
+        return sum(math.hypot(*end) <= metres for end in self.true)
+
+    def worst(self):
+        return max(math.hypot(*end) for end in self.true)
 
 
 def main():
@@ -72,20 +103,16 @@ def main():
     parser.add_argument("site", type=pathlib.Path)
     parser.add_argument("folder", type=pathlib.Path, help="of runs on the site's first route")
     arguments = parser.parse_args()
-    line = list(legs(json.loads(arguments.site.read_text(encoding="utf-8"))["routes"][0]["vertices_m"]))
-    runs = [split(track, line) for track in sorted(arguments.folder.glob("**/track.csv"))]
-    if not runs:
+    line = line_of(arguments.site)
+    found = [split(track, line) for track in sorted(arguments.folder.glob("**/track.csv"))]
+    if not found:
         parser.error(f"there is no track.csv below {arguments.folder}")
-    across = [pair for run in runs for pair in run[0]]
-    true, believed = [run[1] for run in runs], [run[2] for run in runs]
-    print("| | true, cm | believed, cm | mistaken, cm |\n| --- | --- | --- | --- |")
-    print(f"| off corners, RMS across | {rms(t for t, _ in across):.2f} | {rms(b for _, b in across):.2f} |"
-          f" {rms(b - t for t, b in across):.2f} |")
-    for name, axis in (("along", 0), ("across", 1)):
-        print(f"| at the end, RMS {name} | {rms(t[axis] for t in true):.2f} | {rms(b[axis] for b in believed):.2f} |"
-              f" {rms(b[axis] - t[axis] for t, b in zip(true, believed)):.2f} |")
-    print(f"\nWithin 1 cm of the end: {sum(math.hypot(*t) <= 0.01 for t in true)} of {len(runs)} runs, the worst"
-          f" {100 * max(math.hypot(*t) for t in true):.2f} cm off.")
+    runs = Split(found)
+    print("| RMS | true / believed / mistaken, cm |\n| --- | --- |")
+    for name, cell in (("across, off corners", runs.across()), ("along, at the end", runs.end(0)),
+                       ("across, at the end", runs.end(1))):
+        print(f"| {name} | {cell} |")
+    print(f"\nWithin 1 cm of the end: {runs.within(0.01)} of {len(found)} runs, the worst {100 * runs.worst():.2f} cm off.")
 
 
 if __name__ == "__main__":

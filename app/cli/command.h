@@ -9,6 +9,7 @@ namespace tessera::cli {
 /// Set by the sub-command that the caller chose; returns an ExitCode.
 using Run = std::function<int()>;
 
+void addCharts(CLI::App& app, Run& run);
 void addExperiment(CLI::App& app, Run& run);
 void addDrive(CLI::App& app, Run& run);
 void addPorts(CLI::App& app, Run& run);

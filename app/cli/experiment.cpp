@@ -157,17 +157,23 @@ nlohmann::json optionsOf(const ExperimentWords& words, const Plan& plan) {
                          {"air_rate_bit_per_s", plan.map->site().radio.airRate},
                          {"air_factor", words.world.airFactor},
                          {"loss", words.world.loss},
-                         {"delay_s", words.world.delay}};
+                         {"delay_s", words.world.delay},
+                         {"dead_tags", words.world.deadTags.value_or(0.0)}};
   if (const auto* setup = plan.map->vehicle(plan.assignments.front().vehicle)) {
     const sim::BodyParameters body = world::bodyFor(*setup, words.world);
     options["readers"] = setup->readers.size();
-    options["radius_m"] = body.readers.radius.value();
+    options["radius_m"] = setup->readerRadius.value();
+    options["true_radius_m"] = body.readers.radius.value();
     options["poll_s"] = body.readers.pollPeriod.value();
+    options["read_time_s"] = body.readers.readTime.value();
     options["detection"] = body.readers.detection;
     options["compass_noise_deg"] = degrees(Radians{body.compass.noise / sim::kEarthHorizontal});
     options["compass_bias_deg"] = degrees(body.compass.bias);
+    options["compass_spots_deg"] = words.world.compassSpots.value_or(degrees(sim::kSpotDeviation));
     options["slip"] = body.plant.slip;
     options["tyre_difference"] = body.plant.tyreDifference;
+    // Null: as the firmware comes.
+    options["heading_learning_m"] = body.headingLearning ? nlohmann::json(body.headingLearning->value()) : nullptr;
     options["speed_noise"] = body.plant.speedNoise;
     options["speed_noise_time_s"] = body.plant.speedNoiseMemory.value();
   }

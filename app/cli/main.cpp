@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
   app.footer(kExitCodeHelp);
   Run run;
   addExperiment(app, run);
+  addCharts(app, run);
   addDrive(app, run);
   addPorts(app, run);
   addRadio(app, run);

@@ -11,9 +11,9 @@
 namespace tessera::experiment {
 
 struct Metrics {
-  Metres positionErrorMean;  ///< |estimate - truth|, over every tick under orders
+  Metres positionErrorMean;  ///< |estimate - truth|, over every tick that is judged (Belief::driving)
   Metres positionErrorP95;
-  Metres positionErrorMax;  ///< from the first tick on at which it was located
+  Metres positionErrorMax;  ///< of the judged ticks from the first on at which it was located
   Radians headingErrorRms;
   Metres crossTrackRms;  ///< true distance from the route, corners included
   Metres crossTrackMax;
@@ -21,7 +21,7 @@ struct Metrics {
   Metres crossTrackMaxOffCorners;
   int reversals = 0;          ///< times that the true progress along the route fell by more than 2 cm
   double meanSpeedRatio = 0;  ///< true mean speed over the speed asked, `cornerMargin` away from vertices and ends
-  Seconds duration;           ///< from the first tick under orders to the last
+  Seconds duration;           ///< from the first judged tick to the last
   Metres endError;            ///< from the true last place to the route's end
   Consistency consistency;    ///< of the ticks at which it was located
   double locatedShare = 0;    ///< ticks at which the locator called the vehicle located
@@ -31,7 +31,7 @@ struct Metrics {
 inline constexpr Metres kReversal{0.02};
 inline constexpr Metres kCornerMargin{0.20};
 
-/// Only samples under orders count. An empty run gives zeros.
+/// Only samples whose belief is `driving` count. An empty run gives zeros.
 [[nodiscard]] Metrics evaluate(const Polyline& route, const std::vector<Sample>& samples, MetresPerSecond asked,
                                Metres cornerMargin = kCornerMargin);
 

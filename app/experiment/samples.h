@@ -17,7 +17,8 @@ struct Belief {
   std::array<double, 3> doubt{};  ///< variances of x and y and their covariance, m², as the locator claims them
   MetresPerSecond commandSpeed;
   Radians commandHeading;
-  bool driving = false;  ///< under orders on the route, i.e. begun and not yet finished
+  bool driving = false;  ///< judged: under orders on the route, i.e. begun and not yet finished, and located at this
+                         ///< tick or before: until then there is no estimate to judge
 };
 
 /// The vehicle as the world knows it.

@@ -13,7 +13,8 @@ namespace tessera::experiment {
 /// The metrics of one vehicle under the names that the documentation lists, each with its unit in the name.
 [[nodiscard]] nlohmann::json toJson(const Metrics& metrics, bool finished);
 
-/// time_s, true x, y, heading, estimated x, y, heading, located, commanded speed and heading; metres and radians.
+/// time_s, true x, y, heading, estimated x, y, heading, located, commanded speed and heading,
+/// and whether the figures count this tick; metres and radians.
 /// Error: names the file that could not be written.
 [[nodiscard]] Result<void> writeTrackCsv(const std::string& file, const std::vector<Sample>& samples);
 

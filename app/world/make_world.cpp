@@ -212,6 +212,8 @@ private:
 
 void applyTo(floor::Site& site, const WorldOptions& options) {
   if (options.airRate) site.radio.airRate = *options.airRate;
+  if (options.radius)
+    for (floor::VehicleSetup& vehicle : site.vehicles) vehicle.readerRadius = Metres{*options.radius};
   if (!options.readers) return;
   const unsigned count = *options.readers;
   // 10 cm apart as on the publication's vehicle, closer where the row would stand out beyond its sides.
@@ -228,7 +230,7 @@ sim::BodyParameters bodyFor(const floor::VehicleSetup& setup, const WorldOptions
   if (o.poll) body.readers.pollPeriod = Seconds{*o.poll};
   if (o.readTime) body.readers.readTime = Seconds{*o.readTime};
   if (o.detection) body.readers.detection = *o.detection;
-  if (o.radius) body.readers.radius = Metres{*o.radius};
+  if (o.trueRadius) body.readers.radius = Metres{*o.trueRadius};
   if (o.slip) body.plant.slip = *o.slip;
   if (o.tyreDifference) body.plant.tyreDifference = *o.tyreDifference;
   if (o.headingLearning) body.headingLearning = Metres{*o.headingLearning};

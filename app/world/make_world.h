@@ -46,7 +46,7 @@ struct MadeWorld {
   Result<void> saveEeproms() const;
 };
 
-/// The site as the options have it: radio and readers. World and supervisor must be told the same.
+/// The site as the options have it: radio, readers and their discs' radius. World and supervisor must be told the same.
 void applyTo(floor::Site& site, const WorldOptions& options);
 /// How well a vehicle's parts work under these options.
 [[nodiscard]] sim::BodyParameters bodyFor(const floor::VehicleSetup& setup, const WorldOptions& options);

@@ -54,7 +54,11 @@ void addWorldConditions(CLI::App& app, WorldOptions& o) {
   app.add_option("--detection", o.detection, "Share of attempts that succeed over a tag (default 0.9)")
       ->group("World")
       ->check(probability);
-  app.add_option("--radius", o.radius, "True radius of the readers' discs in metres (default: as the site says)")
+  app.add_option("--radius", o.radius, "Radius of every reader's disc in metres (default: as the site says)")
+      ->group("World")
+      ->check(CLI::Range{0.005, 0.5});
+  app.add_option("--true-radius", o.trueRadius,
+                 "True radius of those discs, where it is not what the site is told (default: the same)")
       ->group("World")
       ->check(CLI::Range{0.005, 0.5});
   app.add_option("--dead-tags", o.deadTags, "Share of the site's tags that no reader sees (default 0)")
@@ -160,6 +164,7 @@ std::vector<std::string> worldArguments(const WorldOptions& o) {
   maybe("--read-time", o.readTime);
   maybe("--detection", o.detection);
   maybe("--radius", o.radius);
+  maybe("--true-radius", o.trueRadius);
   maybe("--dead-tags", o.deadTags);
   maybe("--slip", o.slip);
   maybe("--tyre-difference", o.tyreDifference);

@@ -32,7 +32,8 @@ struct WorldOptions {
   std::optional<double> poll;             ///< s
   std::optional<double> readTime;         ///< s, 0 to 0.2
   std::optional<double> detection;        ///< 0 to 1
-  std::optional<double> radius;           ///< m; the vehicle's setup where not given
+  std::optional<double> radius;           ///< m, of the vehicles' setup; as the site says where not given
+  std::optional<double> trueRadius;       ///< m; the setup's where not given
   std::optional<double> deadTags;         ///< share of the site's tags that nobody reads, 0 to 1
   std::optional<double> slip;             ///< 0 to 0.5
   std::optional<double> tyreDifference;   ///< -0.2 to 0.2

@@ -31,51 +31,13 @@ WorldOptions parsed(std::vector<std::string> words) {
 }
 
 TEST(WorldOptions, surviveTheWayThroughTheWordsOfACall) {
-  const std::vector<std::string> words{kSites + "three.tessera.json",
-                                       "--vehicle",
-                                       "1",
-                                       "--vehicle",
-                                       "3",
-                                       "--kind",
-                                       "qemu",
-                                       "--seed",
-                                       "42",
-                                       "--air-rate",
-                                       "9600",
-                                       "--air-factor",
-                                       "1.25",
-                                       "--loss",
-                                       "0.1",
-                                       "--delay",
-                                       "0.3",
-                                       "--poll",
-                                       "0.2",
-                                       "--read-time",
-                                       "0.15",
-                                       "--detection",
-                                       "0.8",
-                                       "--radius",
-                                       "0.07",
-                                       "--slip",
-                                       "0.05",
-                                       "--compass-noise",
-                                       "2",
-                                       "--compass-bias",
-                                       "3",
-                                       "--compass-spots",
-                                       "12",
-                                       "--corrupt",
-                                       "0.01",
-                                       "--drop",
-                                       "0.02",
-                                       "--replay",
-                                       "0.03",
-                                       "--fresh",
-                                       "3",
-                                       "--truth",
-                                       "t.csv",
-                                       "--eeprom-dir",
-                                       "e"};
+  std::istringstream rest{
+      "--vehicle 1 --vehicle 3 --kind qemu --seed 42 --air-rate 9600 --air-factor 1.25 --loss 0.1 --delay 0.3 --poll "
+      "0.2 --read-time 0.15 --detection 0.8 --radius 0.07 --true-radius 0.065 --slip 0.05 --compass-noise 2 "
+      "--compass-bias 3 --compass-spots 12 --corrupt 0.01 --drop 0.02 --replay 0.03 --fresh 3 --truth t.csv "
+      "--eeprom-dir e"};
+  std::vector<std::string> words{kSites + "three.tessera.json"};
+  for (std::string word; rest >> word;) words.push_back(word);
   const WorldOptions once = parsed(words);
   EXPECT_EQ(once.vehicles, (std::vector<unsigned>{1, 3}));
   EXPECT_EQ(once.fresh, std::vector<unsigned>{3});
@@ -84,6 +46,7 @@ TEST(WorldOptions, surviveTheWayThroughTheWordsOfACall) {
   EXPECT_EQ(once.airRate, 9600.0);
   EXPECT_EQ(once.readTime, 0.15);
   EXPECT_EQ(once.compassSpots, 12.0);
+  EXPECT_EQ(once.trueRadius, 0.065);
   EXPECT_EQ(worldArguments(parsed(worldArguments(once))), worldArguments(once));
   EXPECT_EQ(worldArguments(once).size(), words.size());
 }
@@ -124,6 +87,22 @@ TEST(MakeWorld, putsTheSitesVehiclesAtTheirPlaces) {
   ASSERT_TRUE(made->world->startAll());
   made->world->advance(Seconds{0.5});
   EXPECT_TRUE(made->world->running(site->vehicles.front().id));
+}
+
+TEST(Radius, isWhatTheSiteIsToldAndTrueUnlessATrueOneIsGiven) {
+  auto site = floor::loadSite(three().site);
+  ASSERT_TRUE(site);
+  auto options = three();
+  options.radius = 0.08;
+  applyTo(*site, options);
+  for (const auto& setup : site->vehicles) {
+    EXPECT_EQ(setup.readerRadius, Metres{0.08});
+    EXPECT_EQ(bodyFor(setup, options).readers.radius, Metres{0.08});
+  }
+  options.trueRadius = 0.05;
+  applyTo(*site, options);
+  EXPECT_EQ(site->vehicles.front().readerRadius, Metres{0.08}) << "nobody tells the site";
+  EXPECT_EQ(bodyFor(site->vehicles.front(), options).readers.radius, Metres{0.05});
 }
 
 TEST(MakeWorld, takesOnlyTheVehiclesThatAreNamed) {

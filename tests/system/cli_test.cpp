@@ -47,9 +47,11 @@ INSTANTIATE_TEST_SUITE_P(
         Call{"tessera", {"--help"}, {"experiment", "drive", "ports", "site", "--version", "--help-all"}},
         Call{"experiment",
              {"experiment", "--help"},
-             {"SITE",        "--route",      "--drive",     "--speed",     "--vehicle", "--firmware", "--out",
-              "--estimator", "--controller", "--limit",     "--lockstep",  "--json",    "--quiet",    "--seed",
-              "--air-rate",  "--loss",       "--detection", "--dead-tags", "--slip",    "--corrupt",  "--eeprom-dir"}},
+             {"SITE",          "--route",     "--drive",      "--speed",     "--vehicle",   "--firmware",
+              "--out",         "--estimator", "--controller", "--limit",     "--lockstep",  "--json",
+              "--quiet",       "--seed",      "--air-rate",   "--loss",      "--detection", "--dead-tags",
+              "--true-radius", "--slip",      "--corrupt",    "--eeprom-dir"}},
+        Call{"charts", {"charts", "--help"}, {"RUNS", "--by", "--out", "--json", "errors.png", "tracking.png"}},
         Call{"drive",
              {"drive", "--help"},
              {"SITE", "--port", "--drive", "--speed", "--limit", "--estimator", "--controller", "--json", "--quiet"}},
@@ -185,6 +187,11 @@ TEST(Json, isAllThatStandsOnStandardOutput) {
   ASSERT_TRUE(summary.is_object());
   EXPECT_EQ(summary["finished"], true);
   EXPECT_GT(summary["channel"]["cycle_s"], 0.0);
+  // Every option of the world is a field of its own, also where it was not given.
+  for (const char* option : {"compass_spots_deg", "dead_tags", "read_time_s", "heading_learning_m", "true_radius_m"})
+    EXPECT_TRUE(summary["options"].contains(option)) << option;
+  EXPECT_EQ(summary["options"]["compass_spots_deg"], 10.0);
+  EXPECT_EQ(summary["options"]["true_radius_m"], summary["options"]["radius_m"]);
   EXPECT_EQ(summary["options"]["estimator"], locate::locatorNames().front());
   EXPECT_EQ(summary["options"]["controller"], drive::followerNames().front());
   EXPECT_THAT(summary["options"]["world_arguments"].get<Words>(), testing::Not(testing::Contains("--truth")));

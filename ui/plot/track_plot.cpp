@@ -3,16 +3,13 @@
 #include <qcustomplot.h>
 
 #include <algorithm>
-#include <array>
+
+#include "ui/plot/chart_frame.h"
 
 namespace tessera::ui {
 namespace {
 
-constexpr int kWidth = 900;
 constexpr double kCmPerM = 100.0;
-
-// Colours that stay apart for colour-blind readers (Okabe and Ito, 2008).
-const std::array kTrackColours{QColor{0, 114, 178}, QColor{213, 94, 0}, QColor{0, 158, 115}, QColor{204, 121, 167}};
 
 QCPCurve* addCurve(QCustomPlot& plot, const std::vector<Point>& points, const QString& name) {
   auto* curve = new QCPCurve{plot.xAxis, plot.yAxis};  // owned by the plot
@@ -42,7 +39,7 @@ void addFloor(QCustomPlot& plot, const TrackPlot& content) {
 }
 
 void addTrack(QCustomPlot& plot, const TrackPlot::Track& track, std::size_t index, bool named) {
-  const QColor colour = kTrackColours[index % kTrackColours.size()];
+  const QColor colour = chartColour(index);
   const QString prefix = named ? QString::fromStdString(track.name) + QStringLiteral(": ") : QString{};
   addCurve(plot, track.route.vertices(), prefix + QStringLiteral("Route"))
       ->setPen(QPen{QColor{60, 60, 60}, 5, Qt::SolidLine, Qt::RoundCap});
@@ -58,7 +55,7 @@ int fitToScale(QCustomPlot& plot) {
   plot.xAxis->setRange(plot.xAxis->range().lower - margin, plot.xAxis->range().upper + margin);
   plot.yAxis->setRange(plot.yAxis->range().lower - margin, plot.yAxis->range().upper + margin);
   constexpr int frame = 90;  // axes, labels, title
-  const double height = (kWidth - frame) * plot.yAxis->range().size() / plot.xAxis->range().size();
+  const double height = (kChartWidth - frame) * plot.yAxis->range().size() / plot.xAxis->range().size();
   return static_cast<int>(std::clamp(height, 200.0, 2000.0)) + 2 * frame;
 }
 
@@ -73,27 +70,15 @@ Result<void> saveTrackPlot(const TrackPlot& content, const QString& file) {
     addTrack(plot, content.tracks[i], i, content.tracks.size() > 1);
   plot.xAxis->setLabel(QStringLiteral("x [cm]"));
   plot.yAxis->setLabel(QStringLiteral("y [cm]"));
-  plot.plotLayout()->insertRow(0);
-  plot.plotLayout()->addElement(
-      0, 0, new QCPTextElement{&plot, QString::fromStdString(content.title), QFont{QStringLiteral("DejaVu Sans"), 11}});
-  // The legend stands below the picture, where it hides nothing.
-  auto* below = new QCPLayoutGrid;
-  plot.plotLayout()->addElement(2, 0, below);
-  below->addElement(0, 0, plot.legend);
-  plot.legend->setVisible(true);
-  plot.legend->setFillOrder(QCPLegend::foColumnsFirst);
-  plot.legend->setWrap(4);
-  plot.legend->setBorderPen(Qt::NoPen);
-  plot.plotLayout()->setRowStretchFactor(2, 0.001);
+  addChartTitle(plot, content.title);
+  putLegendBelow(plot, 4);
   const int height = fitToScale(plot);
-  plot.resize(kWidth, height);
-  plot.setViewport(QRect{0, 0, kWidth, height});
+  plot.resize(kChartWidth, height);
+  plot.setViewport(QRect{0, 0, kChartWidth, height});
   plot.replot(QCustomPlot::rpImmediateRefresh);
   plot.xAxis->setScaleRatio(plot.yAxis, 1.0);
   plot.replot(QCustomPlot::rpImmediateRefresh);
-  if (!plot.savePng(file, kWidth, height))
-    return failure("The picture " + file.toStdString() + " could not be written.");
-  return {};
+  return saveChart(plot, file, height);
 }
 
 }  // namespace tessera::ui
