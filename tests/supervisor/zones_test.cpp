@@ -46,7 +46,8 @@ std::shared_ptr<const floor::SiteMap> insideACorner(ZoneKind kind, double cut) {
   site.routes.push_back(corner);
   for (floor::VehicleSetup& vehicle : site.vehicles) vehicle.cornerCut = Metres{cut};
   const auto inside = [&](double x, double y) { return vertex + Offset{Metres{x}, Metres{-y}}; };
-  site.zones.push_back({"inside", kind, {inside(0.06, 0.06), inside(0.06, 0.3), inside(0.3, 0.3), inside(0.3, 0.06)}});
+  site.zones.push_back(
+      {"inside", kind, {inside(0.06, 0.06), inside(0.06, 0.3), inside(0.3, 0.3), inside(0.3, 0.06)}, {}, {}});
   site.zones.back().direction = Radians{-kPi / 2};
   site.zones.back().speed = MetresPerSecond{0.04};
   return floor::SiteMap::build(std::move(site)).value();
