@@ -30,7 +30,8 @@ double Bends::curvature(Metres along) const {
   return turn.value() / window_.value();
 }
 
-StretchLimits bendLimits(const Polyline& line, RadiansPerSecond most, Radians sharp, std::vector<SpeedStretch> arcs) {
+StretchLimits bendLimits(const Polyline& line, RadiansPerSecond most, Radians sharp,
+                         const std::vector<SpeedStretch>& arcs) {
   std::vector<SpeedStretch> stretches;
   const auto ofArc = [&](Metres along, Radians turn) {
     return turn <= kArcBend + Radians{1e-6} && std::any_of(arcs.begin(), arcs.end(), [&](const SpeedStretch& arc) {

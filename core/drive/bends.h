@@ -29,7 +29,7 @@ private:
 /// A bend's turn is spread over half of the legs beside it, as the site check has it. Where the line has `arcs`, those
 /// stretches hold instead.
 [[nodiscard]] StretchLimits bendLimits(const Polyline& line, RadiansPerSecond most, Radians sharp,
-                                       std::vector<SpeedStretch> arcs = {});
+                                       const std::vector<SpeedStretch>& arcs = {});
 /// The arcs of a way, driven at a rate of turn, by the distance along another line that is so much farther on.
 [[nodiscard]] std::vector<SpeedStretch> arcStretches(const RoundedLine& way, RadiansPerSecond rate, Metres farther);
 
