@@ -36,6 +36,7 @@ struct ExperimentWords {
   std::string magneticMap;
   double limit = 0;
   double carry = 0;
+  std::optional<double> cornerCut;
   bool lockstep = false;
   bool json = false;
   bool quiet = false;
@@ -57,6 +58,8 @@ Result<Plan> planOf(const ExperimentWords& words) {
   if (!site) return tl::unexpected{site.error()};
   // The world's vehicles and radios and what the supervisor is told of them are alike, as an integrator would.
   world::applyTo(*site, words.world);
+  if (words.cornerCut)
+    for (floor::VehicleSetup& vehicle : site->vehicles) vehicle.cornerCut = Metres{*words.cornerCut};
   auto map = floor::SiteMap::build(std::move(*site));
   if (!map) return failure(words.world.site + ": " + map.error().sentence.english());
   Plan plan;
@@ -161,6 +164,7 @@ nlohmann::json optionsOf(const ExperimentWords& words, const Plan& plan) {
                          {"dead_tags", words.world.deadTags.value_or(0.0)}};
   if (const auto* setup = plan.map->vehicle(plan.assignments.front().vehicle)) {
     const sim::BodyParameters body = world::bodyFor(*setup, words.world);
+    if (setup->cornerCut > Metres{}) options["corner_cut_m"] = setup->cornerCut.value();
     options["readers"] = setup->readers.size();
     options["radius_m"] = setup->readerRadius.value();
     options["true_radius_m"] = body.readers.radius.value();
@@ -282,6 +286,11 @@ void addExperiment(CLI::App& app, Run& run) {
       ->add_option("--carry", words->carry,
                    "Lift the first vehicle after so many seconds and set it down elsewhere (lockstep only)")
       ->check(CLI::Range(0.1, 1e6));
+  command
+      ->add_option("--corner-cut", words->cornerCut,
+                   "Round sharp corners and leave their vertices by so many metres at most; 0: turn on the spot; "
+                   "default: as the site says")
+      ->check(CLI::Range(0.0, floor::kMostCornerCut.value()));
   command->add_option("--magnetic-map", words->magneticMap,
                       "Locate vehicles by what earlier drives have learned of the floor's iron, kept in this file, and "
                       "learn on (lockstep only)");

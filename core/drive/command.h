@@ -31,6 +31,7 @@ struct VehicleAbility {
   double headingGain = 3.0;      ///< 1/s, of the vehicle's heading hold
   Radians fullSpeedError{0.17};  ///< up to this heading error it drives at the commanded speed ...
   Radians turnFirstError{0.52};  ///< ... and from this one on it stands and turns
+  Metres cornerCut{0.0};         ///< by which it may leave a sharp corner; 0: it turns there on the spot
 };
 
 [[nodiscard]] VehicleAbility abilityOf(const floor::VehicleSetup& setup);

@@ -11,6 +11,7 @@ namespace {
 constexpr Metres kOnRoute{0.03};     // a vehicle this near to the start needs no way to it
 constexpr Metres kOffRoute{0.40};    // farther away it was carried, and is led back by a way of its own
 constexpr Metres kWindow{0.50};      // ahead of the progress, in which the nearest point is looked for
+constexpr Radians kBeside{1.6};      // what turns by more is not ahead, but comes back
 constexpr Metres kBendWindow{0.06};  // over which a curve is taken to be even
 constexpr double kSurely = 2.0;      // standard deviations of the place within which a leg's speed holds
 constexpr Metres kAtEnd{0.002};      // short of the end: no more worth moving for
@@ -24,20 +25,20 @@ constexpr Radians kMisaligned{1.05};  // 60°: it stops and turns on the spot in
 }  // namespace
 
 LookAheadFollower::LookAheadFollower(const FollowerSetup& setup)
-    : route_{setup.route.vertices},
-      plan_{setup.ability, setup.plan},
-      legs_{StretchLimits::ofLegs(setup.route)},
+    : plan_{setup.ability, setup.plan},
+      way_{drivenWay(setup.route, setup.ability, setup.plan)},
+      legs_{StretchLimits::ofLegs(setup.route, way_)},
       guard_{setup.guard} {}
 
 void LookAheadFollower::layPath(Point from) {
   const Metres reached = laid_ ? std::max(Metres{}, progress_ - approach_) + skipped_ : Metres{};
-  const Point join = route_.at(reached);
+  const Polyline& way = way_.line();
+  const Point join = way.at(reached);
   std::vector<Point> vertices;
   const bool away = distance(from, join) > kOnRoute;
   if (away) vertices.push_back(from);
   vertices.push_back(join);
-  for (std::size_t v = route_.legAt(reached) + 1; v < route_.vertices().size(); ++v)
-    vertices.push_back(route_.vertices()[v]);
+  for (std::size_t v = way.legAt(reached) + 1; v < way.vertices().size(); ++v) vertices.push_back(way.vertices()[v]);
   path_ = Polyline{vertices};
   approach_ = away ? distance(from, join) : Metres{};
   skipped_ = reached;
@@ -47,10 +48,9 @@ void LookAheadFollower::layPath(Point from) {
   stoodSince_.reset();
   inching_ = false;
   if (guard_) guard_->laid(path_);
-  // A vehicle that holds headings turns no faster than this without slowing down by itself.
   const VehicleAbility& ability = plan_.ability();
-  const double most = std::min(ability.maxTurnRate.value(), ability.headingGain * ability.fullSpeedError.value());
-  bends_ = bendLimits(path_, RadiansPerSecond{most}, plan_.options().sharpCorner);
+  bends_ = bendLimits(path_, turnRateAtFullSpeed(ability), plan_.options().sharpCorner,
+                      arcStretches(way_, turnRateOnArcs(ability), approach_ - skipped_));
   findStop();
 }
 
@@ -59,6 +59,17 @@ void LookAheadFollower::findStop() {
   stop_ = path_.legAt(progress_) + 1;
   while (stop_ < path_.legCount() && !plan_.isSharp(turnBetween(path_.headingOf(stop_ - 1), path_.headingOf(stop_))))
     ++stop_;
+}
+
+Polyline::Projection LookAheadFollower::nearest(Point here) const {
+  Metres to = std::min(progress_ + kWindow, path_.startOf(stop_));
+  // A rounded corner may lead back beside the way to it, without a stop in between.
+  if (!way_.arcs().empty()) {
+    const std::size_t leg = path_.legAt(progress_);
+    for (std::size_t v = leg + 1; v < stop_ && path_.startOf(v) < to; ++v)
+      if (abs(turnBetween(path_.headingOf(leg), path_.headingOf(v))) > kBeside) to = path_.startOf(v);
+  }
+  return path_.project(here, progress_, to);
 }
 
 Point LookAheadFollower::aim(Metres look) const {
@@ -70,10 +81,11 @@ Point LookAheadFollower::aim(Metres look) const {
 }
 
 void LookAheadFollower::report(Decision& decision, const VehicleState& state) const {
-  decision.progress = std::min(route_.length(), std::max(Metres{}, progress_ - approach_) + skipped_);
-  decision.remaining = route_.length() - decision.progress;
+  const Metres along = way_.onDrawn(std::max(Metres{}, progress_ - approach_) + skipped_);
+  decision.progress = std::min(route().length(), along);
+  decision.remaining = route().length() - decision.progress;
   decision.crossTrack = across_;
-  decision.leg = route_.legAt(decision.progress);
+  decision.leg = route().legAt(decision.progress);
   decision.headingError = turnBetween(state.pose.heading, decision.command.heading);
 }
 
@@ -166,7 +178,7 @@ Decision LookAheadFollower::decide(const PredictedState& predicted, Seconds now)
     return stand(Phase::Lost, std::isfinite(state.pose.heading.value()) ? state.pose.heading : Radians{}, state);
   if (!laid_) layPath(here);
 
-  Polyline::Projection near = path_.project(here, progress_, std::min(progress_ + kWindow, path_.startOf(stop_)));
+  Polyline::Projection near = nearest(here);
   if (distance(near.nearest, here) > kOffRoute) {
     layPath(here);
     near = path_.project(here, Metres{}, Metres{});
@@ -181,7 +193,7 @@ Decision LookAheadFollower::decide(const PredictedState& predicted, Seconds now)
     }
     turning_ = true;
     findStop();
-    across_ = path_.project(here, progress_, std::min(progress_ + kWindow, path_.startOf(stop_))).across;
+    across_ = nearest(here).across;
   }
 
   const Metres gate = guard_ ? guard_->mayGoTo(progress_, plan_.stoppingWay(predicted.delay + plan_.ability().lag))

@@ -27,6 +27,7 @@ VehicleAbility abilityOf(const floor::VehicleSetup& setup) {
   ability.maxSpeed = setup.maxSpeed;
   ability.maxTurnRate = setup.maxTurnRate;
   ability.acceleration = setup.acceleration;
+  ability.cornerCut = setup.cornerCut;
   return ability;
 }
 

@@ -36,7 +36,7 @@ struct Decision {
   Command command;
   Phase phase = Phase::Lost;
   Metres progress;      ///< along the route; never falls while following
-  Metres crossTrack;    ///< signed distance from the line, positive to its left
+  Metres crossTrack;    ///< signed distance from the way to be driven, positive to its left
   Metres remaining;     ///< to the route's end
   std::size_t leg = 0;  ///< 0 for the first
   Point target;         ///< the point aimed at

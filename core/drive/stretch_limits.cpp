@@ -49,12 +49,12 @@ StretchLimits::StretchLimits(Of of, std::vector<SpeedStretch> stretches) : stret
   }
 }
 
-StretchLimits StretchLimits::ofLegs(const floor::Route& route) {
+StretchLimits StretchLimits::ofLegs(const floor::Route& route, const RoundedLine& way) {
   const Polyline line{route.vertices};
   const auto speeds = floor::legSpeedsOfLine(route);
   std::vector<SpeedStretch> legs;
   for (std::size_t leg = 0; leg < line.legCount(); ++leg)
-    if (speeds[leg]) legs.push_back({line.startOf(leg), line.startOf(leg + 1), *speeds[leg]});
+    if (speeds[leg]) legs.push_back({way.onLine(line.startOf(leg)), way.onLine(line.startOf(leg + 1)), *speeds[leg]});
   return {Of::Legs, std::move(legs)};
 }
 

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "base/rounded_line.h"
 #include "drive/speed_plan.h"
 
 namespace tessera::drive {
@@ -22,7 +23,9 @@ public:
   StretchLimits() = default;
   /// In any order; where several lie upon one another, the lowest speed holds.
   StretchLimits(Of of, std::vector<SpeedStretch> stretches);
-  [[nodiscard]] static StretchLimits ofLegs(const floor::Route& route);
+  [[nodiscard]] static StretchLimits ofLegs(const floor::Route& route) { return ofLegs(route, {}); }
+  /// By the distance from the start of `way`, the route with its corners rounded; half of an arc is each leg's.
+  [[nodiscard]] static StretchLimits ofLegs(const floor::Route& route, const RoundedLine& way);
 
   /// What the stretches allow at a distance, where the place is known to within `doubt`: the limit of every one on
   /// which the vehicle may be, and so much before a slower one that it has slowed down where that begins. `from`:

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/polyline.h"
+#include "drive/bends.h"
+#include "drive/driven_way.h"
 
 namespace tessera::drive {
 namespace {
@@ -28,9 +29,12 @@ double turningTime(double turn, const VehicleAbility& ability) {
 
 Seconds travelTime(const floor::Route& route, const VehicleAbility& ability, const SpeedPlanOptions& options,
                    Seconds delay, const StretchLimits& zones) {
-  const Polyline line{route.vertices};
+  const RoundedLine way = drivenWay(route, ability, options);
+  const Polyline& line = way.line();
   const SpeedPlan plan{ability, options};
-  const StretchLimits limits = StretchLimits::ofLegs(route);
+  const StretchLimits limits = StretchLimits::ofLegs(route, way);
+  const StretchLimits arcs{StretchLimits::Of::Bends,
+                           arcStretches(way, turnRateReached(turnRateOnArcs(ability), ability), {})};
   double seconds = 0.0;
   double speed = 0.0;
   const double step = std::max(kFinest, line.length().value() / kPieces);
@@ -40,15 +44,16 @@ Seconds travelTime(const floor::Route& route, const VehicleAbility& ability, con
     const bool end = stop == line.legCount();
     double left = (line.startOf(stop) - line.startOf(leg)).value();
     while (left > options.stopTolerance.value()) {
-      const double way = std::min(step, left);
+      const double piece = std::min(step, left);
       const Metres along = line.startOf(stop) - Metres{left};
-      const SpeedLimit stretch =
-          stricter(limits.at(along, {}, delay + ability.lag, plan), zones.at(along, {}, delay + ability.lag, plan));
+      SpeedLimit stretch = limits.at(along, {}, delay + ability.lag, plan);
+      for (const StretchLimits* others : {&zones, &arcs})
+        stretch = stricter(stretch, others->at(along, {}, delay + ability.lag, plan));
       const double allowed = plan.at({Metres{left}, end, delay, Metres{}, Radians{}, stretch}).speed.value();
-      const double next = std::min(allowed, std::sqrt(speed * speed + 2.0 * ability.acceleration.value() * way));
-      seconds += 2.0 * way / (speed + next);
+      const double next = std::min(allowed, std::sqrt(speed * speed + 2.0 * ability.acceleration.value() * piece));
+      seconds += 2.0 * piece / (speed + next);
       speed = next;
-      left -= way;
+      left -= piece;
     }
     speed = 0.0;
     if (!end)

@@ -79,6 +79,9 @@ struct Route {
   bool operator==(const Route&) const = default;
 };
 
+/// What VehicleSetup::cornerCut may be at most.
+inline constexpr Metres kMostCornerCut{0.5};
+
 /// A vehicle as it was set up. Offsets are in vehicle axes (x forward, y left) from the middle between driven wheels.
 struct VehicleSetup {
   VehicleId id;
@@ -92,6 +95,8 @@ struct VehicleSetup {
   MetresPerSecond maxSpeed{0.5};
   RadiansPerSecond maxTurnRate{1.5};
   MetresPerSecond2 acceleration{0.5};
+  /// By how much it may leave a route's vertex to round its corner. 0: it drives to the vertex and turns on the spot.
+  Metres cornerCut{0.0};
   std::optional<Pose> start;  ///< where it stands when nobody has located it yet
   bool operator==(const VehicleSetup&) const = default;
 };

@@ -155,7 +155,7 @@ Route readRoute(JsonNode n) {
 VehicleSetup readVehicle(JsonNode n) {
   n.object({"id", "name", "key", "readers_m", "footprint_m"},
            {"reader_radius_m", "track_m", "wheel_diameter_m", "max_speed_mps", "max_turn_rate_radps",
-            "acceleration_mps2", "start"});
+            "acceleration_mps2", "corner_cut_m", "start"});
   VehicleSetup v;
   v.id.value = static_cast<std::uint8_t>(n["id"].integer(1, 254));
   v.name = n["name"].text(1, kMaxName);
@@ -173,6 +173,7 @@ VehicleSetup readVehicle(JsonNode n) {
     v.maxTurnRate = RadiansPerSecond{n["max_turn_rate_radps"].number(0.001, 100.0, "rad/s")};
   if (n["acceleration_mps2"].present())
     v.acceleration = MetresPerSecond2{n["acceleration_mps2"].number(0.001, 100.0, "m/s^2")};
+  if (n["corner_cut_m"].present()) v.cornerCut = readMetres(n["corner_cut_m"], 0.0, kMostCornerCut.value());
   if (JsonNode start = n["start"]; start.present()) {
     start.object({"x_m", "y_m", "heading_deg"});
     v.start = Pose{readXY(start), readDegrees(start["heading_deg"])};

@@ -146,6 +146,8 @@ std::string line(const VehicleSetup& v) {
     << ", \"max_speed_mps\": " << decimal(v.maxSpeed.value())
     << ", \"max_turn_rate_radps\": " << decimal(v.maxTurnRate.value())
     << ", \"acceleration_mps2\": " << decimal(v.acceleration.value());
+  // Only where it rounds them: sites without keep their files to the byte, and older programs read them.
+  if (v.cornerCut > Metres{}) s << ", \"corner_cut_m\": " << decimal(v.cornerCut.value());
   if (v.start)
     s << ",\n     \"start\": {" << xy(v.start->position) << ", \"heading_deg\": " << inDegrees(v.start->heading) << "}";
   s << "}";

@@ -27,7 +27,8 @@ std::vector<const floor::VehicleSetup*> withoutLikes(const floor::Site& site, Al
 
 std::vector<const floor::VehicleSetup*> bodiesOf(const floor::Site& site) {
   return withoutLikes(site, [](const floor::VehicleSetup& a, const floor::VehicleSetup& b) {
-    return a.footprint == b.footprint && a.maxSpeed == b.maxSpeed && a.maxTurnRate == b.maxTurnRate;
+    return a.footprint == b.footprint && a.maxSpeed == b.maxSpeed && a.maxTurnRate == b.maxTurnRate &&
+           a.cornerCut == b.cornerCut;
   });
 }
 

@@ -9,8 +9,8 @@
 
 namespace tessera::sitecheck {
 
-/// The site's vehicles without those that have the same outline as an earlier one; floor::usualVehicle() if it has
-/// none.
+/// The site's vehicles without those that have the same outline, speeds and corners as an earlier one;
+/// floor::usualVehicle() if it has none.
 [[nodiscard]] std::vector<const floor::VehicleSetup*> bodiesOf(const floor::Site& site);
 /// The same by readers and what they see.
 [[nodiscard]] std::vector<const floor::VehicleSetup*> readerRowsOf(const floor::Site& site);

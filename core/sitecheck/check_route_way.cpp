@@ -4,6 +4,7 @@
 #include <unordered_set>
 
 #include "base/polyline.h"
+#include "base/rounded_line.h"
 #include "floor/route_legs.h"
 #include "sitecheck/body.h"
 #include "sitecheck/checks.h"
@@ -209,7 +210,8 @@ private:
     addTo(fault.objects, v);
   }
 
-  // The outline carried along every leg, and turned on the spot at every vertex in steps of a few degrees.
+  // The outline carried along every leg of the way that it drives, and turned on the spot at every vertex in steps of a
+  // few degrees.
   [[nodiscard]] Region sweptBy(const VehicleSetup& v) const {
     std::vector<Region> parts;
     const auto facing = [&](Point place, double heading) {
@@ -217,11 +219,12 @@ private:
       for (const Point& p : v.footprint) outline.push_back(placeOf({place, Radians{heading}}, {p.x, p.y}));
       return Region::of(outline);
     };
-    forEachLeg(line_, [&](std::size_t leg, Point a, Point b) {
-      const double heading = line_.headingOf(leg).value();
+    const Polyline way = RoundedLine{line_, v.cornerCut, context_.options.sharpCorner}.line();
+    forEachLeg(way, [&](std::size_t leg, Point a, Point b) {
+      const double heading = way.headingOf(leg).value();
       parts.push_back(facing(a, heading).swept(b - a));
-      if (leg + 1 == line_.legCount()) return;
-      const double turn = turnBetween(line_.headingOf(leg), line_.headingOf(leg + 1)).value();
+      if (leg + 1 == way.legCount()) return;
+      const double turn = turnBetween(way.headingOf(leg), way.headingOf(leg + 1)).value();
       const int steps = static_cast<int>(std::ceil(std::abs(turn) / 0.1));
       for (int i = 1; i < steps; ++i) parts.push_back(facing(b, heading + turn * i / steps));
     });

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "base/polyline.h"
+#include "base/rounded_line.h"
 #include "floor/laid_tile.h"
 #include "floor/route_legs.h"
 #include "floor/tile_finder.h"
@@ -19,6 +19,7 @@ using region::Region;
 
 constexpr double kSharpCorner = 0.35;  // rad, as the speed plan has it
 constexpr double kBrakingShare = 0.5;  // likewise
+constexpr double kTurnOnArcs = 0.77;   // rad/s, at which a vehicle that holds headings is led round an arc
 
 struct SlowArea {
   Region area;
@@ -57,6 +58,10 @@ RouteFigures routeFigures(const floor::Route& route, const VehicleSetup& v, doub
                           const std::vector<SlowArea>& slow) {
   const Polyline line{route.vertices};
   const auto legSpeeds = floor::legSpeedsOfLine(route);
+  const RoundedLine way{line, v.cornerCut, Radians{kSharpCorner}};
+  const auto arcAt = [&way](Metres vertex) {
+    return std::find_if(way.arcs().begin(), way.arcs().end(), [&](const auto& arc) { return arc.vertex == vertex; });
+  };
   RouteFigures figures{route.name, line.length(), 0, {}};
   double seconds = 0.0;
   double stoppedAt = 0.0;
@@ -66,6 +71,14 @@ RouteFigures routeFigures(const floor::Route& route, const VehicleSetup& v, doub
     const bool last = leg + 1 == line.legCount();
     const double turn = last ? 0.0 : std::abs(turnBetween(line.headingOf(leg), line.headingOf(leg + 1)).value());
     if (!last && turn < kSharpCorner) continue;
+    if (const auto arc = arcAt(line.startOf(leg + 1)); !last && arc != way.arcs().end()) {
+      const double pace = std::min(speed, std::min(v.maxTurnRate.value(), kTurnOnArcs) * arc->radius.value());
+      const double slower = speed - pace;
+      const double ramps = slower * slower / (2 * speed * v.acceleration.value()) * (1 + 1 / kBrakingShare);
+      // The way along the legs was counted already.
+      seconds += (arc->to - arc->from).value() / pace - 2 * arc->tangent.value() / speed + ramps;
+      continue;
+    }
     ++figures.stops;
     const double here = line.startOf(leg + 1).value();
     seconds += timeBetweenStops(here - stoppedAt, speed, v.acceleration.value()) + turn / v.maxTurnRate.value();

@@ -89,8 +89,13 @@ constexpr std::array kMagneticMaps{
     " nodes BLOB NOT NULL, PRIMARY KEY(key, simulated))",
 };
 
-constexpr std::array<std::span<const char* const>, 6> kSteps{kSites,     kJournal,   kBackdrops,
-                                                             kRevisions, kLegSpeeds, kMagneticMaps};
+constexpr std::array kCornerCuts{
+    // 0: it turns on the spot.
+    "ALTER TABLE vehicle ADD COLUMN corner_cut NOT NULL DEFAULT 0",
+};
+
+constexpr std::array<std::span<const char* const>, 7> kSteps{kSites,     kJournal,      kBackdrops, kRevisions,
+                                                             kLegSpeeds, kMagneticMaps, kCornerCuts};
 
 constexpr int kApplicationId = 0x54455353;  // "TESS", by which `file` and this program know their own
 

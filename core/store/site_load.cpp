@@ -46,7 +46,7 @@ public:
     for (floor::Route& route : site.routes) tidyLegSpeeds(route);
     each(
         "SELECT id, name, key, reader_radius, track, wheel_diameter, max_speed, max_turn_rate, acceleration, start_x,"
-        " start_y, start_heading FROM vehicle WHERE site=? ORDER BY nr",
+        " start_y, start_heading, corner_cut FROM vehicle WHERE site=? ORDER BY nr",
         [&](const Statement& row) { site.vehicles.push_back(vehicle(row)); });
     each("SELECT vehicle, x, y FROM vehicle_reader WHERE site=? ORDER BY vehicle, nr", [&](const Statement& row) {
       if (auto* vehicle = owner(row, site.vehicles)) vehicle->readers.push_back(offset(row, 1));
@@ -140,6 +140,7 @@ private:
     vehicle.maxSpeed = MetresPerSecond{row.number(6)};
     vehicle.maxTurnRate = RadiansPerSecond{row.number(7)};
     vehicle.acceleration = MetresPerSecond2{row.number(8)};
+    vehicle.cornerCut = Metres{row.number(12)};
     if (!row.isNull(9)) vehicle.start = Pose{point(row, 9), Radians{row.number(11)}};
     return vehicle;
   }

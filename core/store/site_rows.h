@@ -113,7 +113,7 @@ template <class Sink>
 void rowsOf(const std::vector<floor::VehicleSetup>& vehicles, Sink& sink) {
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
     const auto& [id, name, key, readers, readerRadius, footprint, track, wheelDiameter, maxSpeed, maxTurnRate,
-                 acceleration, start] = vehicles[i];
+                 acceleration, cornerCut, start] = vehicles[i];
     std::optional<double> x;
     std::optional<double> y;
     std::optional<double> heading;
@@ -123,7 +123,8 @@ void rowsOf(const std::vector<floor::VehicleSetup>& vehicles, Sink& sink) {
       heading = start->heading.value();
     }
     sink.row(Table::Vehicle, i, static_cast<int>(id.value), name, key, readerRadius.value(), track.value(),
-             wheelDiameter.value(), maxSpeed.value(), maxTurnRate.value(), acceleration.value(), x, y, heading);
+             wheelDiameter.value(), maxSpeed.value(), maxTurnRate.value(), acceleration.value(), x, y, heading,
+             cornerCut.value());
     rowsOfPlaces(Table::VehicleReader, i, readers, sink);
     rowsOfPlaces(Table::VehicleFootprint, i, footprint, sink);
   }

@@ -109,7 +109,7 @@ struct VehicleView {
   std::string route;  ///< empty: none
   Metres progress;    ///< along the route
   Metres length;      ///< of the route
-  Metres crossTrack;  ///< positive to the left of the route
+  Metres crossTrack;  ///< from the way to be driven (drive::drivenWay), positive to its left
   std::optional<CommandView> command;
   Sentence doing;           ///< what the controller decided and why, one sentence; empty without a route
   Sentence waits;           ///< why it stands although it should go: one sentence; empty when it does not wait

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drive/driven_way.h"
 #include "supervisor/site_change.h"
 #include "supervisor/vehicle_agent.h"
 
@@ -20,9 +21,11 @@ void VehicleAgent::run(const RunRoute& order, EventLog& log) {
   if (Polyline{route->vertices}.legCount() == 0)
     return refuse(log,
                   phrase("Core", "%1: the route %2 needs at least two different points.").with(name_, order.route));
-  if (const auto wrong = traffic_->zones.wrongWay(Polyline{route->vertices}))
-    return refuse(log, phrase("Core", "%1: the route %2 leads %3 m the wrong way through the one-way zone %4.")
-                           .with(name_, order.route, decimal(wrong->length.value(), 2), wrong->zone));
+  // The way that it takes round a corner may lead through a zone that the line drawn passes by.
+  for (const Polyline& way : {Polyline{route->vertices}, drive::drivenWay(*route, ability_).line()})
+    if (const auto wrong = traffic_->zones.wrongWay(way))
+      return refuse(log, phrase("Core", "%1: the route %2 leads %3 m the wrong way through the one-way zone %4.")
+                             .with(name_, order.route, decimal(wrong->length.value(), 2), wrong->zone));
   drive::FollowerSetup setup;
   const auto guard = std::make_shared<traffic::ZoneGuard>(id(), body_, traffic_);
   setup.guard = guard;

@@ -6796,8 +6796,8 @@ x %2 m，y %3 m</translation>
         <translation>长度除以速度，限速更低的路段按其速度计算。选择车辆后，给出含加减速和转向的时间。</translation>
     </message>
     <message>
-        <source>As %1 drives it at that speed: with its ramps, its top speed, slow zones and its turns on the spot at corners.</source>
-        <translation>按 %1 以该速度行驶计算：含加减速、最高速度、慢行区域及转角处的原地转向。</translation>
+        <source>As %1 drives it at that speed: with its ramps, its top speed, slow zones and its turns on the spot or arcs at corners.</source>
+        <translation>按 %1 以该速度行驶计算：含加减速、最高速度、慢行区域，以及转角处的原地转向或圆弧。</translation>
     </message>
 </context>
 <context>
@@ -8380,6 +8380,18 @@ Speed %3 m/s, commanded %4 m/s</source>
     <message>
         <source>The vehicle from above, nose up: outline, wheels, and the discs in which readers see tags</source>
         <translation>车辆俯视图，车头朝上：外形、车轮，以及读卡器能读到标签的圆形范围</translation>
+    </message>
+    <message>
+        <source>Cut c&amp;orners by:</source>
+        <translation>切过转角(&amp;O)：</translation>
+    </message>
+    <message>
+        <source>0 m: turns on the spot</source>
+        <translation>0 m：原地转向</translation>
+    </message>
+    <message>
+        <source>How far it may leave a route&apos;s vertex to round the corner without stopping. 0: it drives to the vertex and turns on the spot, as it does all the same where the way turns nearly back or there is no room for an arc.</source>
+        <translation>为不停车地绕过转角，车辆最多可离开路径顶点多远。0：驶到顶点并原地转向；若路径几乎折返，或没有容纳圆弧的空间，车辆也会原地转向。</translation>
     </message>
 </context>
 <context>

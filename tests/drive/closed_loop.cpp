@@ -46,9 +46,13 @@ private:
 /// Follows the true place along the route in a window, so that legs near to each other are not confused.
 class Judge {
 public:
-  explicit Judge(const Polyline& route) : route_{route} { result.topSpeeds.resize(route.legCount()); }
+  /// Round a corner that is cut the nearest place moves from leg to leg by more than the cut.
+  Judge(const Polyline& route, double cut) : route_{route}, window_{0.15 + cut} {
+    result.topSpeeds.resize(route.legCount());
+    nearest_.resize(route.vertices().size(), 1e9);
+  }
   void see(Point here, double speed) {
-    const auto near = route_.project(here, Metres{best_ - 0.15}, Metres{best_ + 0.15});
+    const auto near = route_.project(here, Metres{best_ - window_}, Metres{best_ + window_});
     const double across = std::abs(near.across.value());
     if (!begun_ && across > 0.02) return;
     begun_ = true;
@@ -57,6 +61,10 @@ public:
     result.crossTrackMax = std::max(result.crossTrackMax, across);
     result.largestLoss = std::max(result.largestLoss, best_ - near.along.value());
     best_ = std::max(best_, near.along.value());
+    for (std::size_t v = 0; v < nearest_.size(); ++v)
+      nearest_[v] = std::min(nearest_[v], distance(route_.vertices()[v], here).value());
+    if (best_ > 0.15 && best_ < route_.length().value() - 0.15)
+      result.lowestSpeed = std::min(result.lowestSpeed, speed);
     double& top = result.topSpeeds[route_.legAt(near.along)];
     top = std::max(top, speed);
     const bool away = std::none_of(route_.vertices().begin(), route_.vertices().end(),
@@ -67,15 +75,18 @@ public:
   }
   void finish() {
     if (count_ > 0) result.crossTrackRms = std::sqrt(squares_ / count_);
+    result.missedVertex = *std::max_element(nearest_.begin(), nearest_.end());
     if (cruising_ > 0) result.cruise = cruise_ / cruising_;
   }
   LoopResult result;
 
 private:
   const Polyline& route_;
+  double window_;
   bool begun_ = false;
   double best_ = 0.0, squares_ = 0.0, cruise_ = 0.0;
   int count_ = 0, cruising_ = 0;
+  std::vector<double> nearest_;
 };
 
 struct Noise {
@@ -92,10 +103,11 @@ public:
   Loop(std::string_view follower, const floor::Route& route, const LoopOptions& options)
       : o_{options},
         random_{options.seed},
+        ability_{ability(options)},
         follower_{*drive::makeRouteFollower(follower, {route, ability_, plan(options)})},
         vehicle_{options.start.value_or(Pose{route.vertices[0], direction(route.vertices[1] - route.vertices[0])}),
                  options},
-        judge_{follower_->route()},
+        judge_{follower_->route(), options.cut},
         x_{options.poseNoise},
         y_{options.poseNoise},
         heading_{options.headingNoise} {}
@@ -124,6 +136,12 @@ private:
     drive::SpeedPlanOptions plan;
     plan.requested = MetresPerSecond{options.speed};
     return plan;
+  }
+
+  static drive::VehicleAbility ability(const LoopOptions& options) {
+    drive::VehicleAbility ability;
+    ability.cornerCut = Metres{options.cut};
+    return ability;
   }
 
   void measure() {

@@ -20,6 +20,7 @@ struct LoopOptions {
   double headingNoise = 0.0;      ///< rad, likewise
   double gain = 3.0;              ///< 1/s, of the vehicle's heading hold (the controller believes in 3)
   double acceleration = 0.5;      ///< m/s² (the controller believes in 0.5)
+  double cut = 0.0;               ///< m by which it may leave corners
   double lag = 0.10;              ///< s (the controller believes in 0.10)
   std::optional<Pose> start;      ///< else on the route's start, facing along it
   std::optional<double> carryAt;  ///< s: put down 0.6 m to the left
@@ -35,6 +36,8 @@ struct LoopResult {
   double largestLoss = 0.0;          ///< m by which the true progress fell below its best
   double endError = 0.0;             ///< m from the route's end when finished
   double cruise = 0.0;               ///< mean true speed farther than 0.25 m from every vertex
+  double missedVertex = 0.0;         ///< m, the largest of the shortest distances from a vertex that it had
+  double lowestSpeed = 1e9;          ///< m/s, true, from 15 cm behind the route's start to 15 cm before its end
   double lowestCommand = 0.0;        ///< m/s; negative would be backwards
   std::vector<double> topSpeeds;     ///< highest true speed on each leg, once it has left the start
   std::vector<drive::Phase> phases;  ///< in the order met

@@ -12,10 +12,12 @@
 namespace tessera::test {
 namespace {
 
-double foretold(const floor::Route& route, double speed, double delay) {
+double foretold(const floor::Route& route, double speed, double delay, double cut = 0.0) {
   drive::SpeedPlanOptions plan;
   plan.requested = MetresPerSecond{speed};
-  return drive::travelTime(route, {}, plan, Seconds{delay}).value();
+  drive::VehicleAbility ability;
+  ability.cornerCut = Metres{cut};
+  return drive::travelTime(route, ability, plan, Seconds{delay}).value();
 }
 
 floor::Route zigzag(int legs, double turn) {
@@ -36,6 +38,25 @@ TEST(TravelTime, isWhatTheClosedLoopTakes) {
       std::printf("%-8s %2zu legs at %.2f m/s: %.1f s foretold, %.1f s driven\n", route.name.c_str(),
                   route.vertices.size() - 1, speed, expected, driven.duration);
       EXPECT_NEAR(expected, driven.duration, 0.08 * driven.duration + 0.5);
+    }
+  }
+}
+
+TEST(TravelTime, isWhatTheClosedLoopTakesRoundArcs) {
+  for (const floor::Route& route : {paperRoute(), zigzag(6, 1.5708), zigzag(6, 2.3)}) {
+    for (const double speed : {0.05, 0.12, 0.30}) {
+      for (const double cut : {0.03, 0.05, 0.15}) {
+        LoopOptions options;
+        options.speed = speed;
+        options.cut = cut;
+        const LoopResult driven = closeLoop("look-ahead", route, options);
+        ASSERT_TRUE(driven.finished) << route.name;
+        const double expected = foretold(route, speed, options.up + options.period, cut);
+        std::printf("%-8s %2zu legs, cut %.2f m, at %.2f m/s: %.1f s foretold, %.1f s driven\n", route.name.c_str(),
+                    route.vertices.size() - 1, cut, speed, expected, driven.duration);
+        // The vehicle is faster where an arc begins than it is while it turns.
+        EXPECT_NEAR(expected, driven.duration, 0.12 * driven.duration + 0.5);
+      }
     }
   }
 }

@@ -111,6 +111,7 @@ private:
     v.maxSpeed = MetresPerSecond{number(0.1, 2)};
     v.maxTurnRate = RadiansPerSecond{number(0.1, 2)};
     v.acceleration = MetresPerSecond2{number(0.1, 2)};
+    if (coin()) v.cornerCut = Metres{number(0, 0.5)};
     if (coin()) v.start = Pose{point(), angle()};
     return v;
   }

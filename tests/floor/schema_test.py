@@ -45,6 +45,7 @@ GOOD = [changed(*c) for c in [
     ("/backdrop", BACKDROP), ("/backdrop", {**BACKDROP, "turn_deg": -360, "opacity": 1, "file": "平" * 200}),
     ("/backdrop", {**BACKDROP, "picture": "/9j/4AAQ", "metres_per_pixel": 100}),
     ("/name", "地" * 200), ("/loose_tags", [{"uid": "04000000", "x_m": 1, "y_m": 2}]), ("/zones/0/kind", "one-way"),
+    ("/vehicles/0/corner_cut_m", 0), ("/vehicles/0/corner_cut_m", 0.5),
     ("/routes/0/leg_speeds_mps", [None, 0.001, 20, 0.1, None]), ("/routes/0/leg_speeds_mps", [None] * 5)]]
 
 BAD = {f"{c[0]} = {'(missing)' if c[1] is MISSING else json.dumps(c[1])[:60]}": changed(*c) for c in [
@@ -70,6 +71,7 @@ BAD = {f"{c[0]} = {'(missing)' if c[1] is MISSING else json.dumps(c[1])[:60]}": 
     ("/backdrop", {**BACKDROP, "picture": ""}), ("/backdrop", {**BACKDROP, "opacity": 1.1}),
     ("/backdrop", {**BACKDROP, "metres_per_pixel": 0}), ("/backdrop", {**BACKDROP, "origin_m": [1]}),
     ("/backdrop", {**BACKDROP, "file": ""}), ("/backdrop", {**BACKDROP, "turn": 90}),
+    ("/vehicles/0/corner_cut_m", -0.01), ("/vehicles/0/corner_cut_m", 0.51), ("/vehicles/0/corner_cut_m", None),
     ("/vehicles/0/start", None), ("/vehicles/0/max_speed_mps", -1), ("/vehicles/0/footprint_m", [[0, 0]])]}
 
 

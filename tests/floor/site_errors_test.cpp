@@ -49,6 +49,16 @@ TEST(SiteErrors, nameFilePlaceExpectationAndFinding) {
   EXPECT_EQ(legs("[null, 0]"),
             "my.tessera.json: /routes/0/leg_speeds_mps/1: expected a number of m/s from 0.001 to 20.0, found 0.");
   EXPECT_THAT(legs("[-0.1, null]"), HasSubstr("/leg_speeds_mps/0: expected a number of m/s"));
+  const auto corners = [](const std::string& cut) {
+    return verdict(withRest(R"("vehicles": [{"id": 1, "name": "v", "key": "000102030405060708090a0b0c0d0e0f",
+        "readers_m": [[0, 0]], "footprint_m": [[0, 0], [1, 0], [0, 1]], "corner_cut_m": )" +
+                            cut + "}]"));
+  };
+  EXPECT_EQ(corners("0.5"), "taken");
+  EXPECT_EQ(corners("0.6"),
+            "my.tessera.json: /vehicles/0/corner_cut_m: expected a number of metres from 0.0 to 0.5, found 0.6.");
+  EXPECT_THAT(corners("-0.1"), HasSubstr("/corner_cut_m: expected a number of metres"));
+  EXPECT_THAT(corners("true"), HasSubstr("/corner_cut_m: expected a number of metres"));
   EXPECT_EQ(verdict("[]"), "my.tessera.json: the document: expected an object, found an array of 0.");
 }
 

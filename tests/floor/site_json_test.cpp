@@ -100,6 +100,23 @@ TEST(SiteJson, legSpeedsAreWrittenOnlyWhereThereAreSome) {
   EXPECT_EQ(writeSite(parseSite(wordy, "legs").value()), plain);
 }
 
+TEST(SiteJson, cutsOfCornersAreWrittenOnlyWhereThereAreSome) {
+  Site site;
+  site.name = "corners";
+  site.vehicles.resize(1);
+  VehicleSetup& vehicle = site.vehicles[0];
+  vehicle.id = VehicleId{1};
+  vehicle.name = "v";
+  vehicle.readers = {{}};
+  vehicle.footprint = {{}, {Metres{1}, {}}, {{}, Metres{1}}};
+  EXPECT_EQ(writeSite(site).find("corner_cut"), std::string::npos);
+  EXPECT_EQ(parseSite(writeSite(site), "corners").value(), site);
+  vehicle.cornerCut = Metres{0.05};
+  const std::string text = writeSite(site);
+  EXPECT_NE(text.find(", \"corner_cut_m\": 0.05"), std::string::npos) << text;
+  EXPECT_EQ(parseSite(text, "corners").value(), site);
+}
+
 TEST(SiteJson, leftOutKeysTakeTheirDefaults) {
   const auto site = parseSite(R"({"format": "tessera-site", "version": 1, "name": "n",
     "tile_types": [{"name": "t", "width_m": 0.6, "height_m": 0.6, "pitch_m": 0.15, "columns": 4, "rows": 4, "pattern": "full"}],
@@ -117,6 +134,7 @@ TEST(SiteJson, leftOutKeysTakeTheirDefaults) {
   EXPECT_EQ(site->vehicles[0].maxTurnRate, expected.maxTurnRate);
   EXPECT_EQ(site->vehicles[0].key[15], 0x0F);
   EXPECT_FALSE(site->vehicles[0].start);
+  EXPECT_EQ(site->vehicles[0].cornerCut, Metres{}) << "it turns on the spot";
 }
 
 TEST(SiteJson, theSitesThatComeWithTheProgramKeepTheirBytes) {

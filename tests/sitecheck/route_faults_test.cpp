@@ -89,6 +89,20 @@ TEST(RouteFaults, tooCloseForTheVehiclesOutline) {
   EXPECT_EQ(faultsOf(site, FaultKind::RouteTooClose).size(), 1U) << "without a running zone, no-go still counts";
 }
 
+TEST(RouteFaults, aVehicleThatRoundsCornersIsCheckedOnTheWayThatItTakes) {
+  // Turning on the spot its corners reach out to 0.269 m, and beyond the floor's edge; round an arc they do not.
+  Site site = withRoute({at(1, 0.25), at(2, 0.25), at(2, 1)});
+  ASSERT_EQ(faultsOf(site, FaultKind::RouteTooClose).size(), 1U);
+  for (floor::VehicleSetup& vehicle : site.vehicles) vehicle.cornerCut = Metres{0.1};
+  EXPECT_TRUE(faultsOf(site, FaultKind::RouteTooClose).empty());
+  // What stands inside of the corner is in the way of the arc alone.
+  Site pillar = withRoute({at(1, 0.28), at(2, 0.28), at(2, 1)});
+  pillar.zones.push_back(zone("pillar", ZoneKind::NoGo, rectangle(1.4, 0.52, 1.76, 0.9)));
+  EXPECT_TRUE(faultsOf(pillar, FaultKind::RouteTooClose).empty());
+  for (floor::VehicleSetup& vehicle : pillar.vehicles) vehicle.cornerCut = Metres{0.2};
+  EXPECT_EQ(faultsOf(pillar, FaultKind::RouteTooClose).size(), 1U);
+}
+
 TEST(RouteFaults, bendsFasterThanTheVehicleTurns) {
   const auto arc = [](double radius) {
     std::vector<Point> points;

@@ -37,6 +37,20 @@ TEST(Figures, giveARoutesLengthStopsAndTime) {
   EXPECT_EQ(figuresOf(site, MetresPerSecond{9}).routes[0].time, f.routes[0].time) << "no faster than the vehicle";
 }
 
+TEST(Figures, reckonWithCornersThatAreRounded) {
+  floor::Site site = goodFloor();
+  site.routes = {{"r", {at(0, 0), at(10, 0), at(10, 5)}, Metres{0.2}}};
+  const Figures onTheSpot = figuresOf(site, MetresPerSecond{0.12});
+  site.vehicles[0].cornerCut = Metres{0.15};
+  const Figures rounded = figuresOf(site, MetresPerSecond{0.12});
+  EXPECT_EQ(rounded.routes[0].stops, 1) << "at its end";
+  EXPECT_EQ(rounded.routes[0].length, onTheSpot.routes[0].length) << "as drawn";
+  // At 0.12 m/s it need not slow down: the arc of 0.362 m is by 0.155 m shorter than the corner.
+  const double radius = 0.15 / (std::sqrt(2.0) - 1);
+  EXPECT_NEAR(rounded.routes[0].time.value(), 15 / 0.12 + 0.36 - radius * (2 - kPi / 2) / 0.12, 0.01);
+  EXPECT_LT(rounded.routes[0].time, onTheSpot.routes[0].time - Seconds{2});
+}
+
 TEST(Figures, reckonWithTheSlowestZone) {
   floor::Site site = goodFloor();
   site.routes = {{"r", {at(0, 1), at(3, 1)}, Metres{0.2}}};

@@ -39,7 +39,8 @@ protected:
         {"DROP TABLE backdrop", "DROP TABLE backdrop_picture", "DELETE FROM section WHERE name LIKE 'backdrop%'"},
         {"DROP TABLE revision", "DROP TABLE revision_part"},
         {"ALTER TABLE route_vertex DROP COLUMN leg_speed"},
-        {"DROP TABLE magnetic_map"}};
+        {"DROP TABLE magnetic_map"},
+        {"ALTER TABLE vehicle DROP COLUMN corner_cut"}};
     auto database = open();
     ASSERT_EQ(static_cast<int>(undone.size()) + 1, newestVersion()) << "a step that this does not take back";
     Transaction writing{*database, Transaction::Kind::Write};

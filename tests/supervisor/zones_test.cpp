@@ -36,6 +36,59 @@ TEST(OneWayZones, refuseARouteThatLeadsAgainstThem) {
   EXPECT_EQ(rig.view(2).task, Task::Running);
 }
 
+// Around a corner that vehicle 1 may cut by so much; the zone lies within it, beside both legs.
+std::shared_ptr<const floor::SiteMap> insideACorner(ZoneKind kind, double cut) {
+  floor::Site site = siteMap("three.tessera.json")->site();
+  floor::Route corner{"corner", {site.vehicles[0].start->position}, Metres{0.2}};
+  const Point start = corner.vertices[0];
+  const Point vertex = start + Offset{{}, Metres{1.0}};
+  corner.vertices.insert(corner.vertices.end(), {vertex, vertex + Offset{Metres{1.0}, {}}});
+  site.routes.push_back(corner);
+  for (floor::VehicleSetup& vehicle : site.vehicles) vehicle.cornerCut = Metres{cut};
+  const auto inside = [&](double x, double y) { return vertex + Offset{Metres{x}, Metres{-y}}; };
+  site.zones.push_back(
+      {"inside", kind, {inside(0.06, 0.06), inside(0.06, 0.3), inside(0.3, 0.3), inside(0.3, 0.06)}, {}, {}});
+  site.zones.back().direction = Radians{-kPi / 2};
+  site.zones.back().speed = MetresPerSecond{0.04};
+  return floor::SiteMap::build(std::move(site)).value();
+}
+
+TEST(OneWayZones, refuseARouteThatLeadsAgainstThemRoundACorner) {
+  for (const double cut : {0.0, 0.15}) {
+    SupervisorRig rig{insideACorner(ZoneKind::OneWay, cut)};
+    rig.runRoute(1, "corner", 0.2);
+    rig.run(Seconds{0.5});
+    EXPECT_EQ(rig.told(EventKind::OrderRefused).size(), cut > 0.0 ? 1U : 0U) << "the line drawn passes it by";
+  }
+}
+
+TEST(SlowZones, areDrivenThroughSlowlyRoundACorner) {
+  const auto map = insideACorner(ZoneKind::Slow, 0.15);
+  const Point vertex = map->route("corner")->vertices[1];
+  SupervisorRig rig{map};
+  rig.runRoute(1, "corner", 0.2);
+  double fastest = 0.0;
+  double nearest = 1e9;
+  bool inside = false;
+  ASSERT_TRUE(rig.runUntil(
+      [&] {
+        const Offset from = rig.vehicle(1).pose.position - vertex;
+        nearest = std::min(nearest, length(from).value());
+        if (from.x > Metres{0.06} && from.x < Metres{0.3} && from.y < Metres{-0.06} && from.y > Metres{-0.3}) {
+          inside = true;
+          fastest = std::max(fastest, rig.vehicle(1).speed);
+        }
+        return rig.last && rig.view(1).finished;
+      },
+      Seconds{120}))
+      << rig.view(1).doing;
+  EXPECT_TRUE(inside) << "it cuts the corner";
+  EXPECT_NEAR(nearest, 0.15, 0.05);
+  EXPECT_LT(fastest, 0.055);
+  EXPECT_NEAR(rig.view(1).length.value(), 2.0, 1e-9) << "as drawn";
+  EXPECT_NEAR(rig.view(1).progress.value(), 2.0, 0.02);
+}
+
 class SingleVehicleZone : public testing::Test {
 protected:
   static constexpr const char* kDrivesThrough =

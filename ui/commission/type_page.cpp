@@ -4,6 +4,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "ui/commission/vehicle_draft.h"
 
@@ -22,6 +23,7 @@ TypePage::TypePage(Commissioning& work, QWidget* parent) : QWizardPage{parent}, 
   prepare(wheel_, "wheelField", 0.02, 1, 0.005, 4);
   prepare(speed_, "maxSpeedField", 0.01, 3, 0.05, 2);
   prepare(turn_, "maxTurnField", 0.05, 6, 0.1, 2);
+  prepare(corner_, "cornerCutField", 0.0, floor::kMostCornerCut.value(), 0.01, 3);
   prepare(radius_, "readerRadiusField", 0.01, 1, 0.005, 3);
   layOut();
   connect(&preset_, &QComboBox::activated, this, &TypePage::choosePreset);
@@ -43,7 +45,7 @@ void TypePage::layOut() {
   grid->addWidget(&presetLabel_, 0, 0);
   grid->addWidget(&preset_, 0, 1);
   int row = 1;
-  for (Field* field : {&front_, &rear_, &width_, &track_, &wheel_, &speed_, &turn_, &radius_}) {
+  for (Field* field : {&front_, &rear_, &width_, &track_, &wheel_, &speed_, &turn_, &corner_, &radius_}) {
     grid->addWidget(&field->label, row, 0);
     grid->addWidget(&field->box, row++, 1);
   }
@@ -93,12 +95,12 @@ void TypePage::showDraft() {
   wheel_.box.setValue(v.wheelDiameter.value());
   speed_.box.setValue(v.maxSpeed.value());
   turn_.box.setValue(v.maxTurnRate.value());
+  corner_.box.setValue(v.cornerCut.value());
   radius_.box.setValue(v.readerRadius.value());
   readers_.setReaders(v.readers);
   showing_ = false;
   preview_.setVehicle(v);
-  notice_.show(Notice::Tone::Warning, complaint());
-  Q_EMIT completeChanged();
+  judge(true);
 }
 
 // An outline of more than four corners, drawn elsewhere, is kept until its size is changed here.
@@ -114,12 +116,19 @@ void TypePage::takeFields() {
   v.wheelDiameter = Metres{wheel_.box.value()};
   v.maxSpeed = MetresPerSecond{speed_.box.value()};
   v.maxTurnRate = RadiansPerSecond{turn_.box.value()};
+  v.cornerCut = Metres{corner_.box.value()};
   v.readerRadius = Metres{radius_.box.value()};
   v.readers = readers_.readers();
   work_.setDraft(v);
   preview_.setVehicle(v);
+  judge(false);
+}
+
+// The wizard shows the page anew when it is told, and its fields then end what is just being typed into them.
+void TypePage::judge(bool tell) {
   notice_.show(Notice::Tone::Warning, complaint());
-  Q_EMIT completeChanged();
+  const bool was = std::exchange(complete_, isComplete());
+  if (was != complete_ || tell) Q_EMIT completeChanged();
 }
 
 QString TypePage::complaint() const {
@@ -149,8 +158,15 @@ void TypePage::retranslate() {
   wheel_.label.setText(tr("Wheel &diameter:"));
   speed_.label.setText(tr("&Highest speed:"));
   turn_.label.setText(tr("Highest t&urn rate:"));
+  corner_.label.setText(tr("Cut c&orners by:"));
+  corner_.box.setSpecialValueText(tr("0 m: turns on the spot"));
+  const QString corner =
+      tr("How far it may leave a route's vertex to round the corner without stopping. 0: it drives to the vertex and "
+         "turns on the spot, as it does all the same where the way turns nearly back or there is no room for an arc.");
+  corner_.label.setToolTip(corner);
+  corner_.box.setToolTip(corner);
   radius_.label.setText(tr("Readers see &tags within:"));
-  for (Field* field : {&front_, &rear_, &width_, &track_, &wheel_, &radius_}) field->box.setSuffix(tr(" m"));
+  for (Field* field : {&front_, &rear_, &width_, &track_, &wheel_, &corner_, &radius_}) field->box.setSuffix(tr(" m"));
   speed_.box.setSuffix(tr(" m/s"));
   turn_.box.setSuffix(tr(" rad/s"));
   readersLabel_.setText(tr("Readers, from &left to right:"));

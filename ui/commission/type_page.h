@@ -35,13 +35,15 @@ private:
   void choosePreset(int index);
   void showDraft();
   void takeFields();
+  void judge(bool tell);
   [[nodiscard]] QString complaint() const;
 
   Commissioning& work_;
   bool showing_ = false;
+  bool complete_ = false;  ///< as the wizard was told
   QLabel presetLabel_;
   QComboBox preset_;
-  Field front_, rear_, width_, track_, wheel_, speed_, turn_, radius_;
+  Field front_, rear_, width_, track_, wheel_, speed_, turn_, corner_, radius_;
   QLabel readersLabel_;
   ReaderTable readers_;
   VehiclePreview preview_;

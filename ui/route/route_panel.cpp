@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "base/polyline.h"
+#include "drive/driven_way.h"
 #include "drive/travel_time.h"
 #include "traffic/zone_map.h"
 #include "ui/base/name_list.h"
@@ -99,14 +100,15 @@ void RoutePanel::refreshTime() {
   if (vehicle != nullptr) {
     drive::SpeedPlanOptions plan;
     plan.requested = speed;
-    const auto zones = traffic::ZoneMap{document_.map()->site().zones}.slowStretches(Polyline{route->vertices},
-                                                                                     traffic::bodyBoxOf(*vehicle));
-    time = drive::travelTime(*route, drive::abilityOf(*vehicle), plan, kUsualDelay, zones);
+    const drive::VehicleAbility ability = drive::abilityOf(*vehicle);
+    const auto zones = traffic::ZoneMap{document_.map()->site().zones}.slowStretches(
+        drive::drivenWay(*route, ability, plan).line(), traffic::bodyBoxOf(*vehicle));
+    time = drive::travelTime(*route, ability, plan, kUsualDelay, zones);
   }
   length_->setToolTip(
       vehicle != nullptr
-          ? tr("As %1 drives it at that speed: with its ramps, its top speed, slow zones and its turns on the spot at "
-               "corners.")
+          ? tr("As %1 drives it at that speed: with its ramps, its top speed, slow zones and its turns on the spot or "
+               "arcs at corners.")
                 .arg(QString::fromStdString(vehicle->name))
           : tr("Length divided by speed, slower on legs that have a lower one. Choose a vehicle for the time with its "
                "ramps and turns."));

@@ -195,6 +195,34 @@ TEST_F(WizardTest, AnEditedVehicleKeepsItsPlaceAndItsKey) {
   EXPECT_DOUBLE_EQ(document.site().vehicles.front().maxSpeed.value(), 0.5);
 }
 
+TEST_F(WizardTest, CornersAreCutAsTypedAndOneStepTakesItBack) {
+  CommissionWizard wizard{link, document, VehicleId{1}};
+  WizardHands hands{wizard};
+  auto& corner = hands.at<QDoubleSpinBox>("cornerCutField");
+  EXPECT_EQ(corner.text(), "0 m: turns on the spot");
+  EXPECT_FALSE(corner.toolTip().isEmpty());
+  corner.setFocus();
+  corner.selectAll();
+  QTest::keyClicks(&corner, "0.15");
+  QTest::keyClick(&corner, Qt::Key_Up);
+  EXPECT_EQ(corner.text(), "0.160 m");
+  EXPECT_DOUBLE_EQ(wizard.draft().cornerCut.value(), 0.16);
+  corner.selectAll();
+  QTest::keyClicks(&corner, "0.9");
+  QTest::keyClick(&corner, Qt::Key_Tab);
+  EXPECT_LE(wizard.draft().cornerCut, floor::kMostCornerCut) << "more than it may";
+  corner.setFocus();
+  corner.selectAll();
+  QTest::keyClicks(&corner, "0.2");
+  hands.next();
+  hands.next();
+  hands.skip();
+  EXPECT_DOUBLE_EQ(document.site().vehicles.front().cornerCut.value(), 0.2);
+  EXPECT_EQ(document.undoStack().count(), 1);
+  document.undoStack().undo();
+  EXPECT_EQ(document.site().vehicles.front().cornerCut, Metres{});
+}
+
 TEST_F(WizardTest, EveryStepCanBeSkippedAndTheSummarySaysSo) {
   CommissionWizard wizard{link, document};
   WizardHands hands{wizard};
