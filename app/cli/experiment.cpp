@@ -4,6 +4,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/exit_codes.h"
+#include "app/cli/experiment_plan.h"
 #include "app/cli/magnetic_map_file.h"
 #include "app/cli/output.h"
 #include "app/cli/port_run.h"
@@ -15,75 +16,16 @@
 #include "app/process/world_process.h"
 #include "app/world/make_world.h"
 #include "app/world/world_options.h"
-#include "drive/route_follower.h"
-#include "floor/site_json.h"
-#include "locate/locator.h"
 #include "sim/random_stream.h"
 #include "sim/site_bounds.h"
 
 namespace tessera::cli {
 namespace {
 
-struct ExperimentWords {
-  world::WorldOptions world;
-  std::string kind = "native";
-  std::string route;
-  std::vector<std::string> drives;
-  double speed = 0.12;
-  std::string out = "out/experiment";
-  std::string estimator;
-  std::string controller;
-  std::string magneticMap;
-  double limit = 0;
-  double carry = 0;
-  std::optional<double> cornerCut;
-  bool lockstep = false;
-  bool json = false;
-  bool quiet = false;
-};
-
 constexpr Metres kCarriedAtLeast{0.3};
 
-// What a run needs, made from the words and checked.
-struct Plan {
-  std::shared_ptr<const floor::SiteMap> map;
-  std::vector<experiment::Assignment> assignments;
-  supervisor::Config config;
-  MetresPerSecond speed;
-  Seconds limit;
-};
-
-Result<Plan> planOf(const ExperimentWords& words) {
-  auto site = floor::loadSite(words.world.site);
-  if (!site) return tl::unexpected{site.error()};
-  // The world's vehicles and radios and what the supervisor is told of them are alike, as an integrator would.
-  world::applyTo(*site, words.world);
-  if (words.cornerCut)
-    for (floor::VehicleSetup& vehicle : site->vehicles) vehicle.cornerCut = Metres{*words.cornerCut};
-  auto map = floor::SiteMap::build(std::move(*site));
-  if (!map) return failure(words.world.site + ": " + map.error().sentence.english());
-  Plan plan;
-  plan.map = *map;
-  plan.speed = MetresPerSecond{words.speed};
-  std::vector<std::string> drives = words.drives;
-  if (!words.route.empty()) {
-    if (plan.map->site().vehicles.empty()) return failure(words.world.site + " has no vehicle.");
-    drives.push_back(std::to_string(plan.map->site().vehicles.front().id.value) + "=" + words.route);
-  }
-  auto assignments = parseAssignments(drives, *plan.map);
-  if (!assignments) return tl::unexpected{assignments.error()};
-  plan.assignments = std::move(*assignments);
-  for (const experiment::Assignment& one : plan.assignments) plan.config.vehicles.push_back(one.vehicle);
-  plan.config.locator = words.estimator;
-  plan.config.controller = words.controller;
-  plan.config.seed = words.world.seed;
-  if (auto known = takeMagneticMap(words.magneticMap, plan.config); !known) return tl::unexpected{known.error()};
-  plan.limit = words.limit > 0 ? Seconds{words.limit} : generousLimit(*plan.map, plan.assignments, plan.speed);
-  return plan;
-}
-
 // Somebody lifts a vehicle while it drives and sets it down anywhere on the floor's middle, turned by any angle.
-void liftAndSetDown(sim::World& world, const Plan& plan, VehicleId vehicle, std::uint64_t seed) {
+void liftAndSetDown(sim::World& world, const ExperimentPlan& plan, VehicleId vehicle, std::uint64_t seed) {
   sim::RandomStream random{seed, "carried"};
   const auto bounds = sim::boundsOf(plan.map->site());
   const auto truth = world.truth(vehicle);
@@ -99,7 +41,7 @@ void liftAndSetDown(sim::World& world, const Plan& plan, VehicleId vehicle, std:
 }
 
 // A run in virtual time, in this process.
-Result<RunEnd> runLockstep(const Plan& plan, const ExperimentWords& words, experiment::Recorder& recorder,
+Result<RunEnd> runLockstep(const ExperimentPlan& plan, const ExperimentWords& words, experiment::Recorder& recorder,
                            ProgressLine& progress, std::optional<Seconds>& carriedAt) {
   auto made = world::makeWorld(words.world, Seconds{});
   if (!made) return tl::unexpected{made.error()};
@@ -126,7 +68,7 @@ Result<RunEnd> runLockstep(const Plan& plan, const ExperimentWords& words, exper
 }
 
 // A run in real time over a pty: the world in a process of its own.
-Result<RunEnd> runThroughPty(const Plan& plan, const ExperimentWords& words, experiment::Recorder& recorder,
+Result<RunEnd> runThroughPty(const ExperimentPlan& plan, const ExperimentWords& words, experiment::Recorder& recorder,
                              ProgressLine& progress, std::vector<std::string>& complaints) {
   process::WorldProcess process;
   QObject::connect(&process, &process::WorldProcess::complained, [&](const QString& line) {
@@ -144,51 +86,7 @@ Result<RunEnd> runThroughPty(const Plan& plan, const ExperimentWords& words, exp
   return end;
 }
 
-// The method that was asked for; by default the first there is.
-std::string nameOr(const std::string& asked, std::span<const std::string_view> names) {
-  return asked.empty() ? std::string{names.front()} : asked;
-}
-
-nlohmann::json optionsOf(const ExperimentWords& words, const Plan& plan) {
-  nlohmann::json options{{"site", words.world.site},
-                         {"vehicle", words.kind},
-                         {"speed_m_per_s", words.speed},
-                         {"seed", words.world.seed},
-                         {"lockstep", words.lockstep},
-                         {"estimator", nameOr(words.estimator, locate::locatorNames())},
-                         {"controller", nameOr(words.controller, drive::followerNames())},
-                         {"air_rate_bit_per_s", plan.map->site().radio.airRate},
-                         {"air_factor", words.world.airFactor},
-                         {"loss", words.world.loss},
-                         {"delay_s", words.world.delay},
-                         {"dead_tags", words.world.deadTags.value_or(0.0)}};
-  if (const auto* setup = plan.map->vehicle(plan.assignments.front().vehicle)) {
-    const sim::BodyParameters body = world::bodyFor(*setup, words.world);
-    if (setup->cornerCut > Metres{}) options["corner_cut_m"] = setup->cornerCut.value();
-    options["readers"] = setup->readers.size();
-    options["radius_m"] = setup->readerRadius.value();
-    options["true_radius_m"] = body.readers.radius.value();
-    options["poll_s"] = body.readers.pollPeriod.value();
-    options["read_time_s"] = body.readers.readTime.value();
-    options["detection"] = body.readers.detection;
-    options["compass_noise_deg"] = degrees(Radians{body.compass.noise / sim::kEarthHorizontal});
-    options["compass_bias_deg"] = degrees(body.compass.bias);
-    options["compass_spots_deg"] = words.world.compassSpots.value_or(degrees(sim::kSpotDeviation));
-    options["slip"] = body.plant.slip;
-    options["tyre_difference"] = body.plant.tyreDifference;
-    // Null: as the firmware comes.
-    options["heading_learning_m"] = body.headingLearning ? nlohmann::json(body.headingLearning->value()) : nullptr;
-    options["speed_noise"] = body.plant.speedNoise;
-    options["speed_noise_time_s"] = body.plant.speedNoiseMemory.value();
-  }
-  // Where the true poses were written says nothing about the run.
-  world::WorldOptions world = words.world;
-  world.truth.clear();
-  options["world_arguments"] = world::worldArguments(world);
-  return options;
-}
-
-int conclude(const ExperimentWords& words, const Plan& plan, const experiment::Recorder& recorder,
+int conclude(const ExperimentWords& words, const ExperimentPlan& plan, const experiment::Recorder& recorder,
              const std::vector<std::string>& complaints, std::optional<Seconds> carriedAt, RunEnd end) {
   std::vector<experiment::TruthTrack> truths;
   for (const auto& assignment : plan.assignments) {
