@@ -134,6 +134,12 @@ TABLES = [
     at_speeds("tag-centre", "The locator of the publication, for comparison", "--estimator tag-centre", baseline=True),
     Table("floors", "Floors and routes of many kinds", "floor", ["floor and route"],
           [Row([name], f"--floor {number}") for name, number in tables.FLOORS], baseline=True),
+    Table("slow-floors", "Diagonal and curved routes at 2.4 kbit/s, as modules are delivered", "floor", ["floor and route"],
+          [Row([name], f"--floor {number}") for name, number in tables.FLOORS if "route" in name],
+          words="--vehicle native --lockstep --air 2400", baseline=True),
+    Table("corners", "Corners on the spot and rounded at 2.4 kbit/s, as modules are delivered", "drive", ["m/s", "cut, cm"],
+          [Row([speed, f"{100 * float(cut):.0f}"], f"--speed {speed} --corner-cut {cut}") for speed in ("0.12", "0.50")
+           for cut in ("0", "0.05", "0.15")], words="--vehicle native --lockstep --air 2400", baseline=True),
 ]
 
 # Pictures that go with them: folder, tables that they are drawn from, the column that tells series apart, and the name in

@@ -106,9 +106,12 @@ Radians LookAheadFollower::holdOnCurve(const PredictedState& predicted, Radians 
   const double delay = std::isfinite(predicted.delay.value()) ? predicted.delay.value() : 0.0;
   const Metres late{speed * (ability.lag.value() + 0.5 * delay)};
   const double error = turnBetween(state.pose.heading, course).value();
-  const double rate = speed * curve().curvature(progress_ + late) + ability.headingGain * error;
   const double most = ability.maxTurnRate.value();
-  return headingToTurn(RadiansPerSecond{std::clamp(rate, -most, most)}, state.pose.heading, predicted.delay, ability);
+  const double bend = std::clamp(speed * curve().curvature(progress_ + late), -most, most);
+  // What is missing to the course is told as it is: the vehicle makes it good within a command. Told as a rate, which has
+  // to make up for half of the command's time as well, it would be overshot the more, the longer a command holds.
+  const double missing = std::clamp(error, -most / ability.headingGain, most / ability.headingGain);
+  return wrapped(headingToTurn(RadiansPerSecond{bend}, state.pose.heading, predicted.delay, ability) + Radians{missing});
 }
 
 Bends LookAheadFollower::curve() const { return {path_, path_.startOf(begin_), path_.startOf(stop_), kBendWindow}; }

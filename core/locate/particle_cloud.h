@@ -30,7 +30,7 @@ struct ParticleOptions {
   double turnShare = 0.1;           ///< of a heading change between two samples: doubt about the heading meanwhile
   double longestPiece = 0.02;       ///< m, of the way that is moved at once
   // What a reader sees.
-  double rim = 0.0050;  ///< m, logistic width of the disc's edge
+  double rim = 0.0055;  ///< m, logistic width of the disc's edge
   double instant =
       0.010;  ///< s, by which the instants of attempts are off: blurs the edge the more, the faster it goes
   double detection = 0.82;  ///< chance that an attempt inside the disc succeeds; a little below the truth is safe

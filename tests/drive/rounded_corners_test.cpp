@@ -58,6 +58,28 @@ TEST(RoundedCorners, areDrivenWithoutAStopWithinTheCut) {
   }
 }
 
+// As at 2.4 kbit/s, where the next command comes after 0.75 s and later: what is missing to the course must not be told
+// twice over.
+TEST(RoundedCorners, areDrivenWithoutSwingingWhereCommandsHoldForLong) {
+  for (const double period : {0.75, 1.1}) {
+    for (const double cut : {0.05, 0.15}) {
+      for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+        LoopOptions options = withCut(cut, 0.12, 0.5);
+        options.period = period;
+        options.poseNoise = 0.008;
+        options.headingNoise = 0.03;
+        options.seed = seed;
+        const LoopResult r = driven(paperRoute(), options);
+        SCOPED_TRACE(testing::Message() << "every " << period << " s, cut " << cut << ", seed " << seed);
+        EXPECT_TRUE(r.finished);
+        EXPECT_LT(r.duration, 60.0);
+        EXPECT_LT(r.crossTrackMax, cut * std::sqrt(0.5) + 0.05);
+        EXPECT_LT(r.largestLoss, 0.02);
+      }
+    }
+  }
+}
+
 TEST(RoundedCorners, bearANoisyPoseAVariableDelayAndAnotherVehicleThanExpected) {
   for (std::uint32_t seed = 1; seed <= 5; ++seed) {
     for (const double speed : {0.12, 0.30}) {

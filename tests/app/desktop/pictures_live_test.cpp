@@ -120,7 +120,9 @@ TEST_F(Pictures, showTheIronInTheFloorWhole) {
   find<QAction>("layerIron")->setChecked(true);
   pressWhenOffered("runAction", Qt::Key_F5);
   const auto nodes = [&] { return window->magneticDesk().map()->nodeCount(); };
-  ASSERT_TRUE(until([&] { return nodes() >= 25; })) << nodes();
+  // Whether it is whole shows with a few; a picture to keep is worth the longer drive.
+  const std::size_t enough = qEnvironmentVariableIsSet("TESSERA_PICTURES") ? 25 : 6;
+  ASSERT_TRUE(until([&] { return nodes() >= enough; })) << nodes();
   for (const Dress& dress : kDresses) {
     wear(dress);
     window->canvas().fit();
