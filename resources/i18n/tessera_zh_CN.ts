@@ -4140,6 +4140,10 @@
         <source>Ca&amp;librate without a chart</source>
         <translation>不用图校准(&amp;L)</translation>
     </message>
+    <message>
+        <source>The values of the compass are being written into the vehicle. Closed now, it would keep half old and half new ones: wait a few seconds, then close.</source>
+        <translation>罗盘的值正在写入车辆。现在关闭，车辆里会一半是旧值、一半是新值：请等几秒钟再关闭。</translation>
+    </message>
 </context>
 <context>
     <name>tessera::ui::CompassPanel</name>

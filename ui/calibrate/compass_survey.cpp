@@ -18,6 +18,7 @@ constexpr int kAgainMs = 100;
 constexpr qint64 kTurnShowsMs = 3000;  // a turn that was begun shows in the reports by then, or is over already
 constexpr double kNanotesla = 1e-3;    // in µT
 constexpr double kTenThousandth = 1e-4;
+constexpr double kRightWithin = 1.0;  // degrees of heading
 
 CompassCorrection correctionOf(const CompassSurvey::Values& v) {
   return {v[0] * kNanotesla,     v[1] * kNanotesla,     v[2] * kTenThousandth,
@@ -81,6 +82,7 @@ void CompassSurvey::start(VehicleId vehicle) {
   points_.clear();
   fit_.reset();
   present_.reset();
+  right_.reset();
   seenTurning_ = false;
   tooOld_ = false;
   phase_ = Phase::Reading;
@@ -221,13 +223,19 @@ void CompassSurvey::judge() {
                tr("Too little was measured: the vehicle hardly turned, or its compass is silent."));
   if (const auto objection = fit_->objection())
     return end(Notice::Tone::Error, text(*objection) + QLatin1Char(' ') + tr("The vehicle keeps its values."));
-  const double worst = degrees(Radians{calibrate::largestTurn(correctionOf(*present_), fit_->correction, points_)});
+  const double worst = degrees(errorOfPresent());
   const QString off = QLocale{}.toString(worst, 'f', 1);
-  if (worst < 1.0)
+  if (worst < kRightWithin) {
+    right_ = true;
     end(Notice::Tone::Good, tr("The values in the vehicle are right: they turn the heading by at most %1°.").arg(off));
-  else
+  } else {
     end(Notice::Tone::Warning,
         tr("The values in the vehicle turn the heading by up to %1°. Write those found into it.").arg(off));
+  }
+}
+
+Radians CompassSurvey::errorOfPresent() const {
+  return Radians{calibrate::largestTurn(correctionOf(*present_), fit_->correction, points_)};
 }
 
 void CompassSurvey::write() {
@@ -242,6 +250,7 @@ void CompassSurvey::restore() {
 
 void CompassSurvey::put(const Values& values) {
   wanted_ = values;
+  right_ = false;
   phase_ = Phase::Writing;
   tone_ = Notice::Tone::Info;
   message_ = tr("Writing into the vehicle…");
@@ -257,6 +266,8 @@ void CompassSurvey::checkWritten() {
     return end(Notice::Tone::Error,
                tr("The values are in force, but the vehicle could not keep them: they are lost when "
                   "it is switched off."));
+  // The old values may be those that the last turn found wrong.
+  right_ = fit_ && !fit_->objection() && degrees(errorOfPresent()) < kRightWithin;
   const bool old = wanted_ == before_.at(*vehicle_);
   end(Notice::Tone::Good, old ? tr("The vehicle has its old values back.")
                               : tr("Written and read back. Turn once more to see what they do."));

@@ -39,7 +39,9 @@ public:
   [[nodiscard]] Phase phase() const { return phase_; }
   [[nodiscard]] bool isBusy() const { return phase_ != Phase::Idle; }
   /// It is measured, not written to: may be stopped.
-  [[nodiscard]] bool measures() const { return isBusy() && phase_ != Phase::Writing && phase_ != Phase::Verifying; }
+  [[nodiscard]] bool measures() const { return isBusy() && !writes(); }
+  /// What corrects in the vehicle may be half old, half new until this has ended: nobody else knows the old values.
+  [[nodiscard]] bool writes() const { return phase_ == Phase::Writing || phase_ == Phase::Verifying; }
   /// It moves, or is about to.
   [[nodiscard]] bool turns() const { return phase_ == Phase::Starting || phase_ == Phase::Turning; }
   [[nodiscard]] std::optional<VehicleId> vehicle() const { return vehicle_; }
@@ -48,6 +50,9 @@ public:
   [[nodiscard]] const std::optional<calibrate::CompassFit>& fit() const { return fit_; }
   /// By what the vehicle corrects now; nullopt: not read yet.
   [[nodiscard]] std::optional<calibrate::CompassCorrection> present() const;
+  /// true: what is in force is right by the last turn, and was written and kept if it was not before. false: since that
+  /// turn something else was written, or not all of it, or it was not kept. nullopt: neither is known.
+  [[nodiscard]] std::optional<bool> isRight() const { return right_; }
   [[nodiscard]] bool mayWrite() const;
   [[nodiscard]] bool mayRestore() const;
   /// The vehicle's program is too old for a survey, as the last start() showed; it can only calibrate by itself.
@@ -70,6 +75,7 @@ private:
   void judge();
   void put(const Values& values);
   void checkWritten();
+  [[nodiscard]] Radians errorOfPresent() const;
   void end(Notice::Tone tone, const QString& message);
   [[nodiscard]] const supervisor::VehicleView* view() const;
   [[nodiscard]] std::vector<wire::Request> requests(wire::MessageType type, const Values& values) const;
@@ -84,6 +90,7 @@ private:
   std::optional<Values> present_;
   Values wanted_{};
   std::map<VehicleId, Values> before_;  ///< what stood in vehicles before something was written into them
+  std::optional<bool> right_;
   bool seenTurning_ = false;
   bool tooOld_ = false;
   QElapsedTimer sinceStart_;

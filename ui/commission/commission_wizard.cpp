@@ -48,8 +48,8 @@ CommissionWizard::CommissionWizard(FleetLink& link, SiteDocument& document, std:
       connect(step, &StepPage::connectRequested, this, &CommissionWizard::connectRequested);
   connect(key, &KeyPage::saveRequested, this, &CommissionWizard::saveRequested);
   connect(summary, &SummaryPage::calibrateRequested, this, [this] {
-    goesOnCalibrating_ = true;
     accept();
+    goesOnCalibrating_ = result() == QDialog::Accepted;
   });
   connect(&work_, &Commissioning::pairedChanged, this, &CommissionWizard::paired);
   connect(&work_, &Commissioning::siteChanged, this, &CommissionWizard::siteChanged);
@@ -76,7 +76,24 @@ bool CommissionWizard::validateCurrentPage() {
   return true;
 }
 
+// Whichever page is shown: work goes on behind a page that was left.
+bool CommissionWizard::mayClose() {
+  for (const int id : pageIds()) {
+    const auto* step = qobject_cast<StepPage*>(page(id));
+    const QString why = step != nullptr ? step->holdsOpen() : QString{};
+    if (why.isEmpty()) continue;
+    QMessageBox::warning(this, windowTitle(), why);
+    return false;
+  }
+  return true;
+}
+
+void CommissionWizard::accept() {
+  if (mayClose()) QWizard::accept();
+}
+
 void CommissionWizard::reject() {
+  if (!mayClose()) return;
   if (work_.paired() && work_.isNew()) {
     QMessageBox question{QMessageBox::Warning, windowTitle(),
                          tr("The vehicle has already taken its new key. Without this site it will obey nobody until it "

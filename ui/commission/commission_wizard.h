@@ -26,6 +26,8 @@ public:
   [[nodiscard]] bool hasPaired() const { return work_.paired(); }
   /// The person wants to go on with the calibration of its readers and wheels.
   [[nodiscard]] bool goesOnCalibrating() const { return goesOnCalibrating_; }
+  /// Refuse with a sentence while a page must not be cut short; Escape and the window's own button come here as well.
+  void accept() override;
   void reject() override;
   bool validateCurrentPage() override;
 
@@ -43,6 +45,7 @@ protected:
   void changeEvent(QEvent* event) override;
 
 private:
+  [[nodiscard]] bool mayClose();
   void retranslate();
   void showSteps();
   [[nodiscard]] QString shortName(Page page) const;

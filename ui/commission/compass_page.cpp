@@ -119,10 +119,17 @@ void CompassPage::hear(const supervisor::AskAnswer& answer) {
   }
 }
 
-// Right as it stands in the vehicle, or written into it and read back.
+// Right as it stands in the vehicle, or written into it and read back; no longer so when something else was written.
 void CompassPage::judgeSurvey() {
-  if (!survey_.isBusy() && survey_.tone() == Notice::Tone::Good) markDone();
+  if (!survey_.isBusy() && survey_.isRight()) markDone(*survey_.isRight());
   showButtons();
+}
+
+QString CompassPage::holdsOpen() const {
+  if (!survey_.writes()) return {};
+  return tr(
+      "The values of the compass are being written into the vehicle. Closed now, it would keep half old and half "
+      "new ones: wait a few seconds, then close.");
 }
 
 void CompassPage::refresh(const supervisor::VehicleView* vehicle) {

@@ -19,6 +19,7 @@ class CompassPage : public StepPage {
 public:
   explicit CompassPage(Commissioning& work, QWidget* parent = nullptr);
   void initializePage() override;
+  [[nodiscard]] QString holdsOpen() const override;
 
 protected:
   void retranslate() override;

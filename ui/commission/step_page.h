@@ -21,6 +21,8 @@ public:
   [[nodiscard]] bool isComplete() const override;
   void initializePage() override;
   void cleanupPage() override {}  // what was done stays done on the way back
+  /// One sentence that says what must not be cut short by closing the wizard now; empty: nothing.
+  [[nodiscard]] virtual QString holdsOpen() const { return {}; }
 
 Q_SIGNALS:
   void connectRequested();

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "ui/plot/chart_frame.h"
+#include "ui/plot/error_bins.h"
 #include "ui/plot/run_charts.h"
 
 namespace tessera::ui {
@@ -18,14 +19,6 @@ double quantile(std::vector<double> values, double share) {
   const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + at, values.end());
   return values[static_cast<std::size_t>(at)];
-}
-
-/// Share of the errors in each bin, percent; errors beyond the last bin are in none.
-QVector<double> sharesOf(const std::vector<double>& errors, double width) {
-  QVector<double> shares(kBins, 0.0);
-  for (const double error : errors)
-    if (error < width * kBins) shares[static_cast<int>(error / width)] += 100.0 / static_cast<double>(errors.size());
-  return shares;
 }
 
 QString nameOf(const ErrorSeries& series) {
@@ -49,7 +42,8 @@ Result<void> saveErrorChart(const std::string& title, const std::vector<ErrorSer
   for (std::size_t i = 0; i < series.size(); ++i) {
     QVector<double> left(kBins + 1);
     for (int bin = 0; bin <= kBins; ++bin) left[bin] = bin * width;
-    auto shares = sharesOf(series[i].errors, width);
+    const std::vector<double> inBins = sharesInBins(series[i].errors, width, kBins);
+    QVector<double> shares(inBins.begin(), inBins.end());
     shares.push_back(0.0);
     auto* graph = plot.addGraph();  // owned by the plot
     graph->setData(left, shares, true);

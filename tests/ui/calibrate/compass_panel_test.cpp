@@ -89,14 +89,17 @@ TEST_F(CompassByTurning, showsTheEllipseWritesWhatCorrectsItAndBringsTheOldValue
   EXPECT_EQ(work.tone(), Notice::Tone::Good) << work.message().toStdString();
   ASSERT_TRUE(QTest::qWaitFor([&] { return worstError() < 2.0; })) << worstError() << ", in the EEPROM";
   EXPECT_FALSE(button("writeSurvey").isEnabled()) << "they stand there";
+  EXPECT_EQ(work.isRight(), true);
 
   click("turnForSurvey");
   ASSERT_TRUE(done());
   EXPECT_TRUE(work.message().startsWith("The values in the vehicle are right")) << work.message().toStdString();
+  EXPECT_EQ(work.isRight(), true);
 
   click("restoreCompass");
   ASSERT_TRUE(done());
   EXPECT_TRUE(work.message().startsWith("The vehicle has its old values back")) << work.message().toStdString();
+  EXPECT_EQ(work.isRight(), false);
   EXPECT_TRUE(QTest::qWaitFor([&] { return fleet.kept() == before; }));
 }
 
