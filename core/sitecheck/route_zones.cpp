@@ -57,7 +57,21 @@ Parts outside(const Polyline& line, const Region& area) {
   return parts;
 }
 
-std::optional<Box> boundsOf(const Region& area) { return area.empty() ? std::nullopt : std::optional{area.bounds()}; }
+// Nothing of the area lies in the box.
+bool isApart(const Region& area, const Box& box) { return area.empty() || !meet(area.bounds(), box); }
+
+// All of the box lies in the area, and its edge nowhere near: quicker to see than where an arc's many legs lie.
+bool isCovered(const Region& area, const Box& box) {
+  for (const region::Ring& ring : area.rings()) {
+    Point last = pointOf(ring.back());
+    for (const region::Node& node : ring) {
+      const Point next = pointOf(node);
+      if (meet(boxAround(Box{last, last}, Box{next, next}), box)) return false;
+      last = next;
+    }
+  }
+  return area.contains(box.low);
+}
 
 Parts against(const Polyline& line, const Region& area, Radians direction) {
   Parts parts;
@@ -95,13 +109,14 @@ private:
 
   // Visits the ways that break a zone, with how much of them does, and the number of the first vertex where they do.
   // Between its corners a way is the line drawn: only where a corner has part in it is all of it measured.
-  template <class Measure, class Visit>
-  void forEachRound(const std::optional<Box>& area, Measure measure, Visit visit) {
+  // `sees`: whether a corner's box need be looked into.
+  template <class Sees, class Measure, class Visit>
+  void forEachRound(Sees sees, Measure measure, Visit visit) {
     for (const RoundWay& way : ways_) {
       Parts at;
       std::optional<std::size_t> first;
       for (const RoundCorner& corner : way.corners) {
-        if (area && !meet(*area, corner.box)) continue;
+        if (!sees(corner.box)) continue;
         for (const Polyline* half : {&corner.before, &corner.behind}) {
           const Parts parts = measure(*half);
           if (!(parts.length > Metres{})) continue;
@@ -118,6 +133,7 @@ private:
 
   void noGo(const Zone& zone, const Region& area) {
     const auto measure = [&](const Polyline& way) { return inside(way, area); };
+    const auto comesNear = [&](const Box& box) { return !isApart(area, box); };
     if (const Parts parts = measure(line_); parts.length > kSliver) {
       verdict_.lineOnFloor = false;
       tell(FaultKind::RouteCrossesNoGo, Severity::Error,
@@ -127,7 +143,7 @@ private:
           .objects.push_back({ObjectKind::Zone, zone.name});
       return;
     }
-    forEachRound(boundsOf(area), measure, [&](const VehicleSetup& v, const Parts& parts, std::size_t vertex) {
+    forEachRound(comesNear, measure, [&](const VehicleSetup& v, const Parts& parts, std::size_t vertex) {
       verdict_.cutsOffIt.push_back(v.cornerCut);
       Fault& fault = tell(FaultKind::RouteCrossesNoGo, Severity::Error,
                           phrase("Core",
@@ -142,6 +158,7 @@ private:
 
   void running() {
     const auto measure = [&](const Polyline& way) { return outside(way, context_.zones.drivable); };
+    const auto comesOut = [&](const Box& box) { return !isCovered(context_.zones.drivable, box); };
     if (const Parts parts = measure(line_); parts.length > kSliver) {
       verdict_.lineOnFloor = false;
       tell(FaultKind::RouteLeavesRunningZone, Severity::Error,
@@ -150,7 +167,7 @@ private:
            parts);
       return;
     }
-    forEachRound({}, measure, [&](const VehicleSetup& v, const Parts& parts, std::size_t vertex) {
+    forEachRound(comesOut, measure, [&](const VehicleSetup& v, const Parts& parts, std::size_t vertex) {
       if (!verdict_.isOnFloor(v)) return;
       verdict_.cutsOffIt.push_back(v.cornerCut);
       addTo(tell(FaultKind::RouteLeavesRunningZone, Severity::Error,
@@ -166,6 +183,7 @@ private:
 
   void oneWay(const Zone& zone, const Region& area) {
     const auto measure = [&](const Polyline& way) { return against(way, area, *zone.direction); };
+    const auto comesNear = [&](const Box& box) { return !isApart(area, box); };
     if (const Parts parts = measure(line_); parts.length > kSliver) {
       tell(FaultKind::RouteAgainstOneWay, Severity::Error,
            phrase("Core", "Route \"%1\" leads %2 m the wrong way through the one-way zone \"%3\".")
@@ -174,7 +192,7 @@ private:
           .objects.push_back({ObjectKind::Zone, zone.name});
       return;
     }
-    forEachRound(boundsOf(area), measure, [&](const VehicleSetup& v, const Parts& parts, std::size_t vertex) {
+    forEachRound(comesNear, measure, [&](const VehicleSetup& v, const Parts& parts, std::size_t vertex) {
       Fault& fault =
           tell(FaultKind::RouteAgainstOneWay, Severity::Error,
                phrase("Core",
@@ -206,11 +224,10 @@ private:
 
   // Of a corner the leg before it has the half as far as the middle, the next one the other.
   void slowRound(const Zone& zone, const Region& area, std::size_t leg, MetresPerSecond speed) {
-    const std::optional<Box> bounds = boundsOf(area);
     for (const RoundWay& way : ways_) {
       Parts all;
       for (const RoundCorner& corner : way.corners) {
-        if (!bounds || !meet(*bounds, corner.box)) continue;
+        if (isApart(area, corner.box)) continue;
         for (const bool before : {true, false}) {
           if (numberOf(corner.vertex + (before ? 0 : 1)) != leg + 1) continue;
           const Parts parts = inside(before ? corner.before : corner.behind, area);
