@@ -58,10 +58,13 @@ nlohmann::json optionsOf(const ExperimentWords& words, const ExperimentPlan& pla
                          {"air_factor", words.world.airFactor},
                          {"loss", words.world.loss},
                          {"delay_s", words.world.delay},
-                         {"dead_tags", words.world.deadTags.value_or(0.0)}};
+                         {"dead_tags", words.world.deadTags.value_or(0.0)},
+                         {"carry_s", words.carry},
+                         {"limit_s", words.limit},
+                         {"magnetic_map", words.magneticMap}};
   if (const auto* setup = plan.map->vehicle(plan.assignments.front().vehicle)) {
     const sim::BodyParameters body = world::bodyFor(*setup, words.world);
-    if (setup->cornerCut > Metres{}) options["corner_cut_m"] = setup->cornerCut.value();
+    options["corner_cut_m"] = setup->cornerCut.value();
     options["readers"] = setup->readers.size();
     options["radius_m"] = setup->readerRadius.value();
     options["true_radius_m"] = body.readers.radius.value();

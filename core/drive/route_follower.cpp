@@ -93,6 +93,8 @@ Radians headingToTurn(RadiansPerSecond rate, Radians heading, Seconds delay, con
 
 std::span<const std::string_view> followerNames() { return kNames; }
 
+bool roundsCorners(std::string_view name) { return name == LookAheadFollower::kName; }
+
 Result<std::unique_ptr<RouteFollower>> makeRouteFollower(std::string_view name, const FollowerSetup& setup) {
   if (std::string wrong = checked(setup); !wrong.empty()) return failure(std::move(wrong));
   if (name == LookAheadFollower::kName) return std::make_unique<LookAheadFollower>(setup);

@@ -74,6 +74,9 @@ struct FollowerSetup {
 /// Names that makeRouteFollower knows; the first is the default.
 [[nodiscard]] std::span<const std::string_view> followerNames();
 
+/// Whether it takes the way of drivenWay; the others drive to the vertices, however far they may leave them.
+[[nodiscard]] bool roundsCorners(std::string_view name);
+
 /// Error: unknown name, a route of fewer than two different points or with numbers that are none, a requested speed
 /// that is not positive or above the vehicle's.
 [[nodiscard]] Result<std::unique_ptr<RouteFollower>> makeRouteFollower(std::string_view name,

@@ -1,4 +1,4 @@
-// Routes against the zones and the vehicles that would follow them.
+// Routes against the vehicles that would follow them, and what their bodies need of the zones.
 #include <algorithm>
 #include <cmath>
 #include <unordered_set>
@@ -9,6 +9,7 @@
 #include "sitecheck/body.h"
 #include "sitecheck/checks.h"
 #include "sitecheck/outline.h"
+#include "sitecheck/route_zones.h"
 #include "sitecheck/wording.h"
 
 namespace tessera::sitecheck {
@@ -16,51 +17,12 @@ namespace {
 
 using floor::Route;
 using floor::VehicleSetup;
-using floor::ZoneKind;
 using region::Region;
-using region::Stretch;
 
-constexpr Metres kSliver{0.005};  // shorter ways outside are a line drawn along an edge
+constexpr Metres kNarrow{0.005};  // what sticks out by less is drawn along an edge
 
 Fault routeFault(FaultKind kind, Severity severity, const Route& route, const Sentence& sentence) {
   return {kind, severity, sentence, {}, {{ObjectKind::Route, route.name}}, {}};
-}
-
-// Length of a way's parts, and the box around them.
-struct Parts {
-  Metres length;
-  std::optional<Box> place;
-  void add(Point from, Point to, const Stretch& s) {
-    const Point ends[] = {from + s.from * (to - from), from + s.to * (to - from)};
-    length += distance(ends[0], ends[1]);
-    place = place ? boxAround(*place, boxAround(ends)) : boxAround(ends);
-  }
-};
-
-template <class Visit>
-void forEachLeg(const Polyline& line, Visit visit) {
-  for (std::size_t leg = 0; leg < line.legCount(); ++leg) visit(leg, line.vertices()[leg], line.vertices()[leg + 1]);
-}
-
-Parts inside(const Polyline& line, const Region& area) {
-  Parts parts;
-  forEachLeg(line, [&](std::size_t, Point a, Point b) {
-    for (const Stretch& s : area.within(a, b)) parts.add(a, b, s);
-  });
-  return parts;
-}
-
-Parts outside(const Polyline& line, const Region& area) {
-  Parts parts;
-  forEachLeg(line, [&](std::size_t, Point a, Point b) {
-    double at = 0.0;
-    for (const Stretch& s : area.within(a, b)) {
-      if (s.from > at) parts.add(a, b, {at, s.from});
-      at = s.to;
-    }
-    if (at < 1.0) parts.add(a, b, {at, 1.0});
-  });
-  return parts;
 }
 
 class Way {
@@ -75,13 +37,11 @@ public:
   Faults check() {
     shape();
     if (line_.legCount() == 0) return std::move(faults_);
-    noGo();
-    running();
-    oneWays();
-    slowZones();
+    const ZoneVerdict zones = zoneVerdictOf(context_, route_, line_);
+    faults_.insert(faults_.end(), zones.faults.begin(), zones.faults.end());
     for (const VehicleSetup* v : bodiesOf(context_.site)) {
       tooTight(*v);
-      if (onFloor_) tooClose(*v);
+      if (zones.isOnFloor(*v)) tooClose(*v);
     }
     return std::move(faults_);
   }
@@ -104,78 +64,6 @@ private:
           .fix = Fix{phrase("Core", "Take the repeated points out of route \"%1\"").with(route_.name),
                      ReplaceVertices{route_.name, route_.vertices, line_.vertices()}};
     }
-  }
-
-  void noGo() {
-    for (std::size_t i = 0; i < context_.site.zones.size(); ++i) {
-      const floor::Zone& zone = context_.site.zones[i];
-      if (zone.kind != ZoneKind::NoGo) continue;
-      const Parts parts = inside(line_, context_.zones.areas[i].grown(-1.0 * kSliver));
-      if (parts.length <= kSliver) continue;
-      onFloor_ = false;
-      tell(FaultKind::RouteCrossesNoGo, Severity::Error,
-           phrase("Core", "Route \"%1\" leads %2 m through the no-go zone \"%3\".")
-               .with(route_.name, inMetres(parts.length), zone.name),
-           parts.place)
-          .objects.push_back({ObjectKind::Zone, zone.name});
-    }
-  }
-
-  void running() {
-    if (!context_.zones.anyRunning || !onFloor_) return;
-    const Parts parts = outside(line_, context_.zones.drivable);
-    if (parts.length <= kSliver) return;
-    onFloor_ = false;
-    tell(FaultKind::RouteLeavesRunningZone, Severity::Error,
-         phrase("Core", "Route \"%1\" leads %2 m outside the zones in which vehicles may be.")
-             .with(route_.name, inMetres(parts.length)),
-         parts.place);
-  }
-
-  void oneWays() {
-    for (std::size_t i = 0; i < context_.site.zones.size(); ++i) {
-      const floor::Zone& zone = context_.site.zones[i];
-      if (zone.kind != ZoneKind::OneWay || !zone.direction) continue;
-      Parts parts;
-      forEachLeg(line_, [&](std::size_t leg, Point a, Point b) {
-        if (abs(turnBetween(*zone.direction, line_.headingOf(leg))) <= Radians{kPi / 2 + 1e-6}) return;
-        for (const Stretch& s : context_.zones.areas[i].within(a, b)) parts.add(a, b, s);
-      });
-      if (parts.length <= kSliver) continue;
-      tell(FaultKind::RouteAgainstOneWay, Severity::Error,
-           phrase("Core", "Route \"%1\" leads %2 m the wrong way through the one-way zone \"%3\".")
-               .with(route_.name, inMetres(parts.length), zone.name),
-           parts.place)
-          .objects.push_back({ObjectKind::Zone, zone.name});
-    }
-  }
-
-  void slowZones() {
-    for (std::size_t i = 0; i < context_.site.zones.size() && !route_.legSpeeds.empty(); ++i) {
-      const floor::Zone& zone = context_.site.zones[i];
-      if (zone.kind != ZoneKind::Slow || !zone.speed) continue;
-      for (std::size_t leg = 0; leg < floor::legCount(route_); ++leg) {
-        const auto speed = floor::legSpeed(route_, leg);
-        if (!speed || *speed <= *zone.speed) continue;
-        const Polyline line{{route_.vertices[leg], route_.vertices[leg + 1]}};
-        if (const Parts parts = inside(line, context_.zones.areas[i]); parts.length > kSliver)
-          tooFast(zone, leg, *speed, parts);
-      }
-    }
-  }
-
-  void tooFast(const floor::Zone& zone, std::size_t leg, MetresPerSecond speed, const Parts& parts) {
-    Fault& fault =
-        tell(FaultKind::RouteFasterThanZone, Severity::Warning,
-             phrase("Core",
-                    "Leg %1 of route \"%2\" may be driven at %3 m/s, but leads through the slow zone \"%4\" of %5 m/s.")
-                 .with(leg + 1, route_.name, figure(speed.value(), 2), zone.name, figure(zone.speed->value(), 2)),
-             parts.place);
-    fault.objects.push_back({ObjectKind::Zone, zone.name});
-    if (*zone.speed >= floor::kLeastLegSpeed)
-      fault.fix = Fix{phrase("Core", "Slow leg %1 of route \"%2\" down to %3 m/s")
-                          .with(leg + 1, route_.name, figure(zone.speed->value(), 2)),
-                      SetLegSpeed{route_.name, leg, speed, *zone.speed}};
   }
 
   // As fast as the vehicle may be where a leg ends and the next begins.
@@ -220,14 +108,16 @@ private:
       return Region::of(outline);
     };
     const Polyline way = RoundedLine{line_, v.cornerCut, context_.options.sharpCorner}.line();
-    forEachLeg(way, [&](std::size_t leg, Point a, Point b) {
+    for (std::size_t leg = 0; leg < way.legCount(); ++leg) {
+      const Point a = way.vertices()[leg];
+      const Point b = way.vertices()[leg + 1];
       const double heading = way.headingOf(leg).value();
       parts.push_back(facing(a, heading).swept(b - a));
-      if (leg + 1 == way.legCount()) return;
+      if (leg + 1 == way.legCount()) break;
       const double turn = turnBetween(way.headingOf(leg), way.headingOf(leg + 1)).value();
       const int steps = static_cast<int>(std::ceil(std::abs(turn) / 0.1));
       for (int i = 1; i < steps; ++i) parts.push_back(facing(b, heading + turn * i / steps));
-    });
+    }
     return Region::unionOf(parts);
   }
 
@@ -236,7 +126,7 @@ private:
     const Region body = sweptBy(v);
     const Region swept = clearance > Metres{} ? body.grown(clearance) : body;
     const Region off =
-        (context_.zones.anyRunning ? swept - context_.zones.drivable : swept & context_.zones.noGo).opened(kSliver);
+        (context_.zones.anyRunning ? swept - context_.zones.drivable : swept & context_.zones.noGo).opened(kNarrow);
     if (off.empty()) return;
     const Sentence sentence =
         clearance > Metres{}
@@ -255,7 +145,6 @@ private:
   Polyline line_;
   std::vector<std::optional<MetresPerSecond>> speeds_;  ///< of the line's legs
   Faults faults_;
-  bool onFloor_ = true;  ///< the line itself is where vehicles may be
 };
 
 }  // namespace

@@ -22,7 +22,9 @@ void VehicleAgent::run(const RunRoute& order, EventLog& log) {
     return refuse(log,
                   phrase("Core", "%1: the route %2 needs at least two different points.").with(name_, order.route));
   // The way that it takes round a corner may lead through a zone that the line drawn passes by.
-  for (const Polyline& way : {Polyline{route->vertices}, drive::drivenWay(*route, ability_).line()})
+  const Polyline drawn{route->vertices};
+  for (const Polyline& way :
+       {drawn, drive::roundsCorners(controller_) ? drive::drivenWay(*route, ability_).line() : drawn})
     if (const auto wrong = traffic_->zones.wrongWay(way))
       return refuse(log, phrase("Core", "%1: the route %2 leads %3 m the wrong way through the one-way zone %4.")
                              .with(name_, order.route, decimal(wrong->length.value(), 2), wrong->zone));

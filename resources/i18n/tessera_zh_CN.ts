@@ -2106,6 +2106,22 @@
         <source>Registered tags of tiles that are not laid and so have no place, left out: %1.</source>
         <translation>未铺设的地板砖没有位置，其已登记的标签未写出：%1 个。</translation>
     </message>
+    <message>
+        <source>Rounding the corners of route &quot;%1&quot;, %2 drives %3 m through the no-go zone &quot;%4&quot;, first at vertex %5.</source>
+        <translation>%2在路径“%1”上走圆角时有 %3 m 穿过禁行区域“%4”，首次在第 %5 个顶点处。</translation>
+    </message>
+    <message>
+        <source>Rounding the corners of route &quot;%1&quot;, %2 drives %3 m outside the zones in which vehicles may be, first at vertex %4.</source>
+        <translation>%2在路径“%1”上走圆角时有 %3 m 位于车辆可行驶区域之外，首次在第 %4 个顶点处。</translation>
+    </message>
+    <message>
+        <source>Rounding the corners of route &quot;%1&quot;, %2 drives %3 m the wrong way through the one-way zone &quot;%4&quot;, first at vertex %5.</source>
+        <translation>%2在路径“%1”上走圆角时有 %3 m 逆行穿过单行区域“%4”，首次在第 %5 个顶点处。</translation>
+    </message>
+    <message>
+        <source>Leg %1 of route &quot;%2&quot; may be driven at %3 m/s, but rounding its corner %6 comes through the slow zone &quot;%4&quot; of %5 m/s.</source>
+        <translation>路径“%2”的第 %1 段允许 %3 m/s，但%6在该段拐角走圆角时穿过限速 %5 m/s 的慢行区域“%4”。</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>

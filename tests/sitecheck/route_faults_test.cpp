@@ -103,6 +103,88 @@ TEST(RouteFaults, aVehicleThatRoundsCornersIsCheckedOnTheWayThatItTakes) {
   EXPECT_EQ(faultsOf(pillar, FaultKind::RouteTooClose).size(), 1U);
 }
 
+Site cutting(Site site, double cut) {
+  for (floor::VehicleSetup& vehicle : site.vehicles) vehicle.cornerCut = Metres{cut};
+  return site;
+}
+
+// Its zone lies inside of the corner at (2, 1), beside both legs; only who rounds that corner comes there.
+Site insideACorner(ZoneKind kind) {
+  Site site = withRoute({at(0.5, 1), at(0.5, 1), at(2, 1), at(2, 2)});
+  site.zones.push_back(zone("inside", kind, rectangle(1.7, 1.06, 1.94, 1.3)));
+  site.zones.back().direction = fromDegrees(-90);
+  site.zones.back().speed = MetresPerSecond{0.1};
+  return site;
+}
+
+TEST(RouteFaults, againstAOneWayZoneRoundACorner) {
+  const Site site = insideACorner(ZoneKind::OneWay);
+  EXPECT_TRUE(faultsOf(site, FaultKind::RouteAgainstOneWay).empty()) << "the line drawn passes it by";
+  EXPECT_TRUE(faultsOf(cutting(site, 0.05), FaultKind::RouteAgainstOneWay).empty()) << "and so does a small arc";
+  const auto faults = faultsOf(cutting(site, 0.15), FaultKind::RouteAgainstOneWay);
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].severity, Severity::Error);
+  EXPECT_THAT(faults[0].sentence.english(),
+              testing::StartsWith("Rounding the corners of route \"r\", vehicle \"AGV 1\" "));
+  EXPECT_THAT(faults[0].sentence.english(), HasSubstr("one-way zone \"inside\", first at vertex 3."));
+  EXPECT_EQ(
+      faults[0].objects,
+      (std::vector<Object>{{ObjectKind::Route, "r"}, {ObjectKind::Zone, "inside"}, {ObjectKind::Vehicle, "AGV 1"}}));
+  ASSERT_TRUE(faults[0].place);
+  EXPECT_NEAR(faults[0].place->high.x.value(), 2.0, 1e-9) << "as far as the vertex";
+  EXPECT_NEAR(faults[0].place->low.y.value(), 1.0, 1e-9);
+  EXPECT_GT(faults[0].place->low.x, Metres{1.69});
+}
+
+TEST(RouteFaults, ofEachCornerCutAreToldOnce) {
+  Site site = cutting(insideACorner(ZoneKind::OneWay), 0.15);
+  for (const double cut : {0.15, 0.2, 0.0}) {
+    site.vehicles.push_back(site.vehicles[0]);
+    site.vehicles.back().name = "another " + std::to_string(cut);
+    site.vehicles.back().cornerCut = Metres{cut};
+    site.vehicles.back().maxSpeed = MetresPerSecond{0.3};
+  }
+  EXPECT_EQ(faultsOf(site, FaultKind::RouteAgainstOneWay).size(), 2U);
+  site.zones.back().outline = rectangle(1.7, 0.9, 2.1, 1.3);
+  const auto faults = faultsOf(site, FaultKind::RouteAgainstOneWay);
+  ASSERT_EQ(faults.size(), 1U) << "where the line is wrong itself, it is told of that";
+  EXPECT_THAT(faults[0].sentence.english(), HasSubstr("Route \"r\" leads 0.30 m the wrong way"));
+}
+
+TEST(RouteFaults, throughNoGoAndOutOfTheFloorRoundACorner) {
+  const Site pit = insideACorner(ZoneKind::NoGo);
+  EXPECT_TRUE(faultsOf(pit, FaultKind::RouteCrossesNoGo).empty());
+  const Site cut = cutting(pit, 0.15);
+  ASSERT_EQ(faultsOf(cut, FaultKind::RouteCrossesNoGo).size(), 1U);
+  EXPECT_THAT(faultsOf(cut, FaultKind::RouteCrossesNoGo)[0].sentence.english(), HasSubstr("vertex 3"));
+  EXPECT_TRUE(faultsOf(cut, FaultKind::RouteLeavesRunningZone).empty()) << "told once";
+  EXPECT_TRUE(faultsOf(cut, FaultKind::RouteTooClose).empty()) << "told once";
+  // The floor has the shape of the route, and nothing within its corner.
+  Site bent = withRoute({at(0.5, 1), at(2, 1), at(2, 2)});
+  bent.zones = {zone("low", ZoneKind::Running, rectangle(0, 0.5, 2.5, 1.05)),
+                zone("high", ZoneKind::Running, rectangle(1.95, 0.5, 2.5, 2.4))};
+  EXPECT_TRUE(faultsOf(bent, FaultKind::RouteLeavesRunningZone).empty());
+  const auto out = faultsOf(cutting(bent, 0.15), FaultKind::RouteLeavesRunningZone);
+  ASSERT_EQ(out.size(), 1U);
+  EXPECT_THAT(out[0].sentence.english(), HasSubstr("outside the zones in which vehicles may be, first at vertex 2."));
+}
+
+TEST(RouteFaults, legsThatMayBeDrivenFasterThanASlowZoneInsideACorner) {
+  Site site = insideACorner(ZoneKind::Slow);
+  site.routes[0].legSpeeds = {MetresPerSecond{0.3}, MetresPerSecond{0.3}, MetresPerSecond{0.1}};
+  EXPECT_TRUE(faultsOf(site, FaultKind::RouteFasterThanZone).empty());
+  site = cutting(site, 0.15);
+  const auto faults = faultsOf(site, FaultKind::RouteFasterThanZone);
+  ASSERT_EQ(faults.size(), 1U) << "the leg behind the corner is slow enough";
+  EXPECT_EQ(faults[0].sentence.english(),
+            "Leg 2 of route \"r\" may be driven at 0.30 m/s, but rounding its corner vehicle \"AGV 1\" comes through "
+            "the slow zone \"inside\" of 0.10 m/s.");
+  ASSERT_TRUE(mend(faults[0].fix->edit, site));
+  EXPECT_TRUE(faultsOf(site, FaultKind::RouteFasterThanZone).empty());
+  site.routes[0].legSpeeds = {MetresPerSecond{0.1}, MetresPerSecond{0.1}, MetresPerSecond{0.3}};
+  EXPECT_THAT(faultsOf(site, FaultKind::RouteFasterThanZone).at(0).sentence.english(), HasSubstr("Leg 3 of"));
+}
+
 TEST(RouteFaults, bendsFasterThanTheVehicleTurns) {
   const auto arc = [](double radius) {
     std::vector<Point> points;

@@ -24,8 +24,9 @@ class SupervisorRig {
 public:
   explicit SupervisorRig(const std::string& site = "paper.tessera.json", FakeAir::Options options = defaults())
       : SupervisorRig{siteMap(site), options} {}
-  explicit SupervisorRig(std::shared_ptr<const floor::SiteMap> site, FakeAir::Options options = defaults())
-      : map{std::move(site)}, supervisor{supervisor::Supervisor::create(map, {}).value()} {
+  explicit SupervisorRig(std::shared_ptr<const floor::SiteMap> site, FakeAir::Options options = defaults(),
+                         const supervisor::Config& config = {})
+      : map{std::move(site)}, supervisor{supervisor::Supervisor::create(map, config).value()} {
     std::vector<FakeVehicle*> fakes;
     for (const floor::VehicleSetup& v : map->site().vehicles) {
       vehicles.push_back(std::make_unique<DrivenVehicle>(map, v.id, options.seed + v.id.value));

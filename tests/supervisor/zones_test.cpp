@@ -1,6 +1,7 @@
 // What zones mean for orders, and what the operator is told.
 #include <gtest/gtest.h>
 
+#include "drive/route_follower.h"
 #include "supervisor/supervisor_fixture.h"
 
 namespace tessera::supervisor {
@@ -59,6 +60,19 @@ TEST(OneWayZones, refuseARouteThatLeadsAgainstThemRoundACorner) {
     rig.runRoute(1, "corner", 0.2);
     rig.run(Seconds{0.5});
     EXPECT_EQ(rig.told(EventKind::OrderRefused).size(), cut > 0.0 ? 1U : 0U) << "the line drawn passes it by";
+  }
+}
+
+TEST(OneWayZones, areNotMetRoundACornerByAControllerThatRoundsNone) {
+  for (const std::string_view controller : drive::followerNames()) {
+    const auto map = insideACorner(ZoneKind::OneWay, 0.15);
+    Config config;
+    config.controller = controller;
+    SupervisorRig rig{map, SupervisorRig::defaults(), config};
+    rig.runRoute(1, "corner", 0.2);
+    rig.run(Seconds{0.5});
+    EXPECT_EQ(rig.told(EventKind::OrderRefused).empty(), !drive::roundsCorners(controller)) << controller;
+    EXPECT_EQ(rig.view(1).task == Task::Running, !drive::roundsCorners(controller)) << controller;
   }
 }
 

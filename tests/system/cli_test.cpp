@@ -191,6 +191,19 @@ TEST(Json, isAllThatStandsOnStandardOutput) {
   for (const char* option : {"compass_spots_deg", "dead_tags", "read_time_s", "heading_learning_m", "true_radius_m"})
     EXPECT_TRUE(summary["options"].contains(option)) << option;
   EXPECT_EQ(summary["options"]["compass_spots_deg"], 10.0);
+  EXPECT_EQ(summary["options"]["corner_cut_m"], 0.0) << "it turns on the spot";
+  EXPECT_EQ(summary["options"]["carry_s"], 0.0);
+  EXPECT_EQ(summary["options"]["limit_s"], 0.0) << "by itself";
+  EXPECT_EQ(summary["options"]["magnetic_map"], "");
+  const std::string map = folder.filePath("iron.map").toStdString();
+  const auto told = parsed(
+      {"experiment", kCorner, "--route", "corner", "--speed", "0.3", "--lockstep", "--json", "--out",
+       folder.path().toStdString(), "--carry", "1000", "--limit", "90", "--corner-cut", "0.1", "--magnetic-map", map},
+      cli::kDone);
+  EXPECT_EQ(told["options"]["corner_cut_m"], 0.1);
+  EXPECT_EQ(told["options"]["carry_s"], 1000.0);
+  EXPECT_EQ(told["options"]["limit_s"], 90.0);
+  EXPECT_EQ(told["options"]["magnetic_map"], map);
   EXPECT_EQ(summary["options"]["true_radius_m"], summary["options"]["radius_m"]);
   EXPECT_EQ(summary["options"]["estimator"], locate::locatorNames().front());
   EXPECT_EQ(summary["options"]["controller"], drive::followerNames().front());
