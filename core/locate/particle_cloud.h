@@ -40,6 +40,7 @@ struct ParticleOptions {
   double gate = 2e-3;           ///< a read less likely than this contradicts the estimate
   double surprise = 0.05;       ///< a read less likely than this is taken in with more doubt about the place
   double surpriseSigma = 0.02;  ///< m, that doubt
+  double poorSigma = 0.01;      ///< m, likewise where hardly a particle is left that explains what came
   double largestSigma = 0.20;   ///< m: with more doubt about the place it does not count as located
   double roughening = 0.10;     ///< share of the spread by which resampled particles are moved apart
 };

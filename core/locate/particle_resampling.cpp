@@ -9,6 +9,8 @@ namespace tessera::locate {
 namespace {
 
 constexpr double kResampleBelow = 0.5;  // share of effective particles (Liu, Chen 1995)
+// Where so few carry the weight, their spread says nothing of the doubt: evidence came that hardly any foresaw.
+constexpr double kFewest = 20.0;
 
 }  // namespace
 
@@ -34,6 +36,8 @@ double ParticleCloud::effectiveShare() {
 
 void ParticleCloud::resampleIfNeeded() {
   if (effectiveShare() > kResampleBelow) return;
+  double squares = 0.0;
+  for (const double w : weight_) squares += w * w;
   // Every level keeps its particles, so that how likely it is can be learned and never dies out by chance: each draws
   // from its own and, as the unrest may have changed, from all (interacting multiple models: Blom, Bar-Shalom 1988).
   const double come = options_.levelChange / static_cast<double>(options_.levels);
@@ -51,6 +55,7 @@ void ParticleCloud::resampleIfNeeded() {
     for (std::size_t i = begin; i < end; ++i) weight_[i] = weight;
     moveApart(begin, end);
   }
+  if (squares * kFewest > 1.0) roughen(options_.poorSigma);
 }
 
 // Systematic: one random number, evenly spaced picks (Kitagawa 1996); weights count `own` more in the level itself.

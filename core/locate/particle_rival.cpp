@@ -70,6 +70,7 @@ void ParticleLocator::judgeRival() {
     rivals_ = false;
   } else if (lead_ < kTakeOver && rivalReads_ > 1) {
     std::swap(cloud_, rival_);
+    cloud_.resampleIfNeeded();
     rivals_ = false;
     rejectedInRow_ = 0;
     for (Watch& watch : watches_) watch.trusted = false;

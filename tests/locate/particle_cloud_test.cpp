@@ -30,6 +30,16 @@ TEST(ParticleCloud, itsParticlesStayApartAfterResampling) {
   EXPECT_GT(std::sqrt(cloud.moments().covariance(0, 0)), 0.008) << "thirty reads of one tag at one place say little";
 }
 
+TEST(ParticleCloud, doubtsItsPlaceWhereHardlyAParticleForesawWhatCame) {
+  ParticleCloud cloud{{}, 1, 5};
+  cloud.scatter({}, 0.01, 0.0, 0.0);
+  ASSERT_LT(cloud.chanceOf({}, {0.105, 0.0}, 0.06), 0.01) << "four deviations and more away";
+  cloud.weighSeen(0);
+  cloud.resampleIfNeeded();
+  EXPECT_GT(std::sqrt(cloud.moments().covariance(0, 0)), 0.008);
+  EXPECT_GT(std::sqrt(cloud.moments().covariance(1, 1)), 0.008);
+}
+
 TEST(ParticleCloud, aDeadTagsSilenceCountsOnceHoweverLongItLasts) {
   ParticleCloud cloud{{}, 1, 5};
   cloud.scatter({}, 0.05, 0.0, 0.0);

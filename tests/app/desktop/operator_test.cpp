@@ -106,7 +106,9 @@ TEST_F(Operator, seesAPulledPortAndGoesOnWhenItIsPluggedInAgain) {
   ASSERT_NO_FATAL_FAILURE(runAndMove());
   window->session().tellWorld("pull");
   ASSERT_TRUE(until([&] { return window->session().latest()->port.state == PortState::Lost; }));
-  EXPECT_EQ(find<QLabel>("portLabel")->text().toStdString(), window->session().latest()->port.sentence.english());
+  EXPECT_TRUE(until([&] {
+    return find<QLabel>("portLabel")->text().toStdString() == window->session().latest()->port.sentence.english();
+  }));
   window->session().tellWorld("plug");
   ASSERT_TRUE(until([&] { return window->session().latest()->port.state == PortState::Open; }));
   const Metres from = vehicle().progress;
