@@ -108,10 +108,11 @@ Radians LookAheadFollower::holdOnCurve(const PredictedState& predicted, Radians 
   const double error = turnBetween(state.pose.heading, course).value();
   const double most = ability.maxTurnRate.value();
   const double bend = std::clamp(speed * curve().curvature(progress_ + late), -most, most);
-  // What is missing to the course is told as it is: the vehicle makes it good within a command. Told as a rate, which has
-  // to make up for half of the command's time as well, it would be overshot the more, the longer a command holds.
+  // What is missing to the course is told as it is: the vehicle makes it good within a command. Told as a rate, which
+  // has to make up for half of the command's time as well, it would be overshot the more, the longer a command holds.
   const double missing = std::clamp(error, -most / ability.headingGain, most / ability.headingGain);
-  return wrapped(headingToTurn(RadiansPerSecond{bend}, state.pose.heading, predicted.delay, ability) + Radians{missing});
+  return wrapped(headingToTurn(RadiansPerSecond{bend}, state.pose.heading, predicted.delay, ability) +
+                 Radians{missing});
 }
 
 Bends LookAheadFollower::curve() const { return {path_, path_.startOf(begin_), path_.startOf(stop_), kBendWindow}; }
