@@ -9,9 +9,9 @@ namespace {
 constexpr double kDimensions = 2.0;
 constexpr double kNormal975 = 1.959964;
 // Covariances about a run's own mean are too small by that mean's variance, which is the variance by length / n: it is
-// added back, and as the length follows from them, some rounds over. The sum ends with the first that is not positive
-// (Geyer, "Practical Markov chain Monte Carlo", Statistical Science 7(4), 1992).
-constexpr int kRounds = 20;
+// added back, once, by the length found without: over and over it would run away in some runs. The sum ends with the
+// first that is not positive (Geyer, "Practical Markov chain Monte Carlo", Statistical Science 7(4), 1992).
+constexpr int kRounds = 2;
 constexpr double kMostShare = 0.5;  // of the run that may be correlated
 
 /// Wilson and Hilferty's approximation of a chi-squared quantile; within 1 % from two degrees of freedom on for the
