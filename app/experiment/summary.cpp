@@ -77,11 +77,14 @@ Result<void> writeTrackCsv(const std::string& file, const std::vector<Sample>& s
   std::ostringstream out;
   out.precision(9);
   out << "time_s,true_x_m,true_y_m,true_heading_rad,estimate_x_m,estimate_y_m,estimate_heading_rad,located,"
-         "command_speed_m_per_s,command_heading_rad,judged\n";
+         "command_speed_m_per_s,command_heading_rad,judged,"
+         "claimed_xx_m2,claimed_yy_m2,claimed_xy_m2\n";
   for (const Sample& s : samples) {
     out << s.belief.at.value() << ',' << s.truth.pose << ',' << s.belief.pose << ',' << (s.belief.located ? 1 : 0)
         << ',' << s.belief.commandSpeed.value() << ',' << s.belief.commandHeading.value() << ','
-        << (s.belief.driving ? 1 : 0) << '\n';
+        << (s.belief.driving ? 1 : 0);
+    for (const double claimed : s.belief.doubt) out << ',' << claimed;
+    out << '\n';
   }
   return writeWhole(file, out.str());
 }

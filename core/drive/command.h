@@ -27,7 +27,8 @@ struct VehicleAbility {
   MetresPerSecond maxSpeed{0.5};
   RadiansPerSecond maxTurnRate{1.5};
   MetresPerSecond2 acceleration{0.5};
-  Seconds lag{0.10};             ///< of wheels behind their set speed
+  Seconds lag{0.10};             ///< of wheels behind their set speed, as plans allow for it ...
+  Seconds usualLag{0.03};        ///< ... and what the firmware's feed-forward leaves of it, for predictions
   double headingGain = 3.0;      ///< 1/s, of the vehicle's heading hold
   Radians fullSpeedError{0.17};  ///< up to this heading error it drives at the commanded speed ...
   Radians turnFirstError{0.52};  ///< ... and from this one on it stands and turns

@@ -35,7 +35,7 @@ VehicleState predict(const VehicleState& state, std::span<const TimedCommand> co
                      const VehicleAbility& ability) {
   VehicleState s = state;
   const double end = std::min(until.value(), state.at.value() + kLongest);
-  const double share = 1.0 - std::exp(-kStep / std::max(ability.lag.value(), 1e-3));
+  const double share = 1.0 - std::exp(-kStep / std::max(ability.usualLag.value(), 1e-3));
   double set = s.speed.value();  // the ramp that the wheels follow
   double heading = s.pose.heading.value();
   Command hold{MetresPerSecond{0.0}, s.pose.heading};

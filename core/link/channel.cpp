@@ -98,7 +98,9 @@ void Channel::closeFlight() {
   flight_.reset();
   for (std::size_t i = 0; i < flight.count; ++i) {
     if (flight.answers[i].came || flight.kind != Turn::Kind::Cycle) continue;
-    peers_[flight.answers[i].peer].quality.unanswered();
+    Peer& peer = peers_[flight.answers[i].peer];
+    peer.quality.unanswered();
+    events_.emplace_back(CommandUnanswered{peer.session.vehicle(), flight.counter});
     timing_.missed();
   }
   if (flight.kind == Turn::Kind::Request && !flight.answers[0].came) closeRequest();

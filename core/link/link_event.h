@@ -60,6 +60,11 @@ struct CommandAcknowledged {
   VehicleId vehicle;
   std::uint32_t counter = 0;
 };
+/// No answer came in time to the command that went under this counter: it or the answer is lost, or late.
+struct CommandUnanswered {
+  VehicleId vehicle;
+  std::uint32_t counter = 0;
+};
 struct Answered {
   VehicleId vehicle;
   wire::Request request;
@@ -83,6 +88,6 @@ struct Noise {
 };
 
 using LinkEvent = std::variant<Identified, WrongKey, WrongVersion, Restarted, Silent, BackAgain, Reported, CommandSent,
-                               CommandAcknowledged, Answered, PairingEnded, Disbelieved, Noise>;
+                               CommandAcknowledged, CommandUnanswered, Answered, PairingEnded, Disbelieved, Noise>;
 
 }  // namespace tessera::link

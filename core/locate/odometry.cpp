@@ -10,10 +10,20 @@ namespace tessera::locate {
 namespace {
 
 constexpr std::size_t kPruneSamplesAt = 256;
-constexpr double kShortest = 1e-6;   // s; closer samples say nothing about a rate
-constexpr double kLeastJump = 0.05;  // m; smaller steps may be rounding or a late sample
+constexpr double kShortest = 1e-6;      // s; closer samples say nothing about a rate
+constexpr double kNoWayBetween = 1e-5;  // m
+constexpr double kLeastJump = 0.05;     // m; smaller steps may be rounding or a late sample
 
 double fraction(double part, double whole) { return whole > kShortest ? part / whole : 1.0; }
+
+/// Share of the way between two samples after this share of their time, by the speeds at both ends: a cubic that never
+/// turns back (Fritsch and Carlson, "Monotone piecewise cubic interpolation", SIAM J. Numer. Anal. 17(2), 1980).
+double shareOfWay(double part, double way, double time, double speedBefore, double speedAfter) {
+  if (std::abs(way) < kNoWayBetween) return part;
+  const double before = std::clamp(speedBefore * time / way, 0.0, 3.0);
+  const double after = std::clamp(speedAfter * time / way, 0.0, 3.0);
+  return part * (before + part * (3.0 - 2.0 * before - after + part * (before + after - 2.0)));
+}
 
 }  // namespace
 
@@ -73,7 +83,8 @@ Odometry::Sample Odometry::at(double instant) const {
   } else {
     const Sample& after = samples_[next];
     const double part = fraction(instant - sample.at, after.at - sample.at);
-    sample.travel += part * (after.travel - sample.travel);
+    const double way = after.travel - sample.travel;
+    sample.travel += way * shareOfWay(part, way, after.at - sample.at, sample.speed, after.speed);
     sample.heading += part * (after.heading - sample.heading);
     sample.speed += part * (after.speed - sample.speed);
     sample.turnRate = after.turnRate;

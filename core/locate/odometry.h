@@ -1,5 +1,5 @@
-// The vehicle's own motion over the last seconds, asked at any instant: between samples by interpolation, after the
-// last by its speed and turn rate.
+// The vehicle's own motion over the last seconds, asked at any instant: between samples by interpolation, of the way by
+// the speeds that were told with it; after the last by its speed and turn rate.
 #pragma once
 
 #include <cstddef>

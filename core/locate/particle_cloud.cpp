@@ -87,6 +87,7 @@ void ParticleCloud::scatterUnder(const Eigen::Vector2d& tag, const Eigen::Vector
 
 void ParticleCloud::move(const CloudStep& step) {
   const double slip = options_.slipPerRootMetre * std::sqrt(step.way);
+  const double slipAlong = std::hypot(slip, options_.slipPerRootRadian * std::sqrt(std::abs(step.turn)));
   const double across = std::hypot(slip, step.chord * options_.turnShare * step.turn);
   const double drift =
       std::hypot(options_.biasPerRootMetre * step.calm * std::sqrt(step.way), options_.biasPerTurn * step.turn);
@@ -105,7 +106,7 @@ void ParticleCloud::move(const CloudStep& step) {
     const double scale = 1.0 + wear_[i] + 0.5 * (slip_[i] + slipped);
     slip_[i] = slipped;
     scale_[i] = 1.0 + wear_[i] + slipped;
-    const double along = step.chord * scale + slip * random_.normal();
+    const double along = step.chord * scale + slipAlong * random_.normal();
     const double side = across * random_.normal();
     const double ch = c * cb + s * sb;
     const double sh = s * cb - c * sb;

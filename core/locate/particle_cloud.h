@@ -16,19 +16,20 @@ namespace tessera::locate {
 struct ParticleOptions {
   std::size_t count = 1200;
   // How the vehicle moves.
-  double startSigma = 0.05;         ///< m, of a start pose
-  double biasSigma = 0.07;          ///< rad, of the compass bias at the start
-  double biasPerRootMetre = 0.08;   ///< rad/√m: the floor's magnetic field changes from place to place
-  double biasPerTurn = 0.02;        ///< rad per rad: what is left of soft iron changes with the heading
-  double wear = 0.08;               ///< share, of the odometer's scale that stays: wheels' diameter, lasting slip
-  double leastUnrest = 0.015;       ///< share by which the scale wanders (slip), as the calmest particles have it ...
-  double mostUnrest = 0.15;         ///< ... and the wildest
-  std::size_t levels = 3;           ///< of unrest, from the one to the other, with as many particles each
-  double levelChange = 0.03;        ///< chance, from resampling to resampling, that the unrest is another
-  double scaleMemory = 0.5;         ///< s, over which that wandering is forgotten
-  double slipPerRootMetre = 0.002;  ///< m/√m, of the wheels, in each direction
-  double turnShare = 0.1;           ///< of a heading change between two samples: doubt about the heading meanwhile
-  double longestPiece = 0.02;       ///< m, of the way that is moved at once
+  double startSigma = 0.05;          ///< m, of a start pose
+  double biasSigma = 0.07;           ///< rad, of the compass bias at the start
+  double biasPerRootMetre = 0.08;    ///< rad/√m: the floor's magnetic field changes from place to place
+  double biasPerTurn = 0.02;         ///< rad per rad: what is left of soft iron changes with the heading
+  double wear = 0.08;                ///< share, of the odometer's scale that stays: wheels' diameter, lasting slip
+  double leastUnrest = 0.015;        ///< share by which the scale wanders (slip), as the calmest particles have it ...
+  double mostUnrest = 0.15;          ///< ... and the wildest
+  std::size_t levels = 3;            ///< of unrest, from the one to the other, with as many particles each
+  double levelChange = 0.03;         ///< chance, from resampling to resampling, that the unrest is another
+  double scaleMemory = 0.5;          ///< s, over which that wandering is forgotten
+  double slipPerRootMetre = 0.002;   ///< m/√m, of the wheels, in each direction
+  double slipPerRootRadian = 0.004;  ///< m/√rad, along, of a turn on the spot: its wheels slip unequally
+  double turnShare = 0.1;            ///< of a heading change between two samples: doubt about the heading meanwhile
+  double longestPiece = 0.02;        ///< m, of the way that is moved at once
   // What a reader sees.
   double rim = 0.0055;  ///< m, logistic width of the disc's edge
   double instant =

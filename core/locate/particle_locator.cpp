@@ -8,7 +8,8 @@ namespace {
 
 constexpr double kCloudLeastSweep = 0.003;  // m; a reader that moved less tries the same place again
 constexpr double kCloudLeastTurn = 0.02;    // rad
-constexpr double kCloudMargin = 0.02;       // s before the instant up to which all is told; attempts tremble
+constexpr double kCloudMargin = 0.02;       // s before the instant up to which all is told; attempts tremble ...
+constexpr double kCloudTremble = 0.5;       // ... by this share of their period
 constexpr double kCloudVague = 0.12;        // m; a place less known than this makes silence say nothing
 constexpr std::size_t kCloudMostTags = 8;   // near one reader
 constexpr double kCloudSpread = 3.5;        // deviations of the place within which tags matter
@@ -185,6 +186,8 @@ void ParticleLocator::told(Seconds from, Seconds until) {
   toldUntil_ = std::max(toldUntil_, until.value());
   if (odometry_.empty()) return;
   const double period = clock_.period();
+  // An attempt that is expected just before `until` may really come after it, and see something.
+  const double margin = std::max(kCloudMargin, kCloudTremble * period);
   for (std::size_t r = 0; r < watches_.size(); ++r) {
     Watch& watch = watches_[r];
     if (watch.holds) continue;
@@ -194,7 +197,7 @@ void ParticleLocator::told(Seconds from, Seconds until) {
       const double gone = std::ceil((known - watch.accounted) / period);
       watch.accounted += gone * period;
     }
-    while (watch.accounted + period <= until.value() - kCloudMargin) {
+    while (watch.accounted + period <= until.value() - margin) {
       watch.accounted += period;
       if (placed_) silence(static_cast<int>(r), watch.accounted);
     }

@@ -1,8 +1,10 @@
-// The drive commands that are in force on a vehicle or on their way to it, each with the span in which it holds: what
-// the predictor needs to roll an estimate forward.
+// The drive commands that are in force on a vehicle or on their way to it: what the predictor needs to roll an estimate
+// forward. The radio repeats nothing, so each may be lost. An answer says that its command was taken; where none came,
+// the command or the answer was lost, and one is as likely as the other.
 #pragma once
 
-#include <span>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "drive/command.h"
@@ -11,19 +13,45 @@ namespace tessera::supervisor {
 
 class CommandHistory {
 public:
-  /// A Drive takes effect at `from`, takes over from the one before, and runs out after `expiry`.
-  void drive(const drive::Command& command, Seconds from, Seconds expiry);
+  /// What may be in force, and how likely that is.
+  struct Case {
+    double chance = 1.0;
+    std::vector<drive::TimedCommand> commands;  ///< sorted by `from`
+  };
+
+  /// A Drive that went under this counter takes effect at `from`, takes over from the one before, and runs out after
+  /// `expiry`.
+  void drive(const drive::Command& command, Seconds from, Seconds expiry, std::uint32_t counter);
   /// A Stop or Clear takes effect at `from`: from then on none is in force.
-  void stand(Seconds from);
+  void stand(Seconds from, std::uint32_t counter);
+  /// It was acknowledged.
+  void taken(std::uint32_t counter);
+  /// No answer to it came in time.
+  void unanswered(std::uint32_t counter);
   /// The vehicle has started anew: it knows no command.
-  void clear() { commands_.clear(); }
-  /// Sorted by `from`.
-  [[nodiscard]] std::span<const drive::TimedCommand> commands() const { return commands_; }
+  void clear() { entries_.clear(); }
+  /// Chances add up to 1; the first case is that nothing was lost. The only one where all that is open says what was in
+  /// force anyway; eight at most.
+  [[nodiscard]] std::vector<Case> cases() const;
+  /// Something is in force after `at`, if nothing was lost.
+  [[nodiscard]] bool holdsAfter(Seconds at) const;
 
 private:
-  void endAt(Seconds from);
+  enum class Fate : std::uint8_t { UnderWay, Unanswered, Taken };
+  struct Entry {
+    std::optional<drive::Command> command;  ///< none: stand
+    Seconds from;
+    Seconds until;
+    std::uint32_t counter = 0;
+    Fate fate = Fate::UnderWay;
+  };
 
-  std::vector<drive::TimedCommand> commands_;
+  void put(Entry entry);
+  [[nodiscard]] bool changes(std::size_t index) const;
+  [[nodiscard]] double chanceOfLoss(const Entry& entry) const;
+
+  std::vector<Entry> entries_;  ///< sorted by `from`
+  double unanswered_ = 0.04;    ///< share of the last commands; a packet in fifty is lost where nothing else is known
 };
 
 }  // namespace tessera::supervisor

@@ -240,7 +240,8 @@ void Supervisor::Impl::hear(const link::LinkEvent& event, Seconds now) {
           if constexpr (std::is_same_v<E, link::Answered>)
             log.tellAnswer(e.value ? Severity::Info : Severity::Warning, e.vehicle, answerSentence(a->name(), e),
                            {e.request, e.value});
-          else if constexpr (std::is_same_v<E, link::CommandSent> || std::is_same_v<E, link::CommandAcknowledged>)
+          else if constexpr (std::is_same_v<E, link::CommandSent> || std::is_same_v<E, link::CommandAcknowledged> ||
+                             std::is_same_v<E, link::CommandUnanswered>)
             a->take(e);
           else if constexpr (std::is_same_v<E, link::PairingEnded>)
             a->take(e, channel.peer(e.vehicle)->session.open(), log);

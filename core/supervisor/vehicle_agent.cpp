@@ -16,21 +16,6 @@ constexpr double kExpiryCycles = 3.0;
 constexpr MetresPerSecond kStanding{0.005};
 constexpr RadiansPerSecond kStandingTurn{0.1};  // the compass is noisy
 
-/// A way driven with a heading that is not quite known leads aside by as much, and with a scale, too far or not far
-/// enough.
-Eigen::Matrix3d rolledOn(const locate::Estimate& from, Offset way) {
-  Eigen::Matrix4d known = Eigen::Matrix4d::Zero();
-  known.topLeftCorner<3, 3>() = from.covariance;
-  known.col(3) = from.scale;
-  known.row(3) = from.scale.transpose();
-  Eigen::Matrix<double, 3, 4> slope = Eigen::Matrix<double, 3, 4>::Identity();
-  slope(0, 2) = -way.y.value();
-  slope(1, 2) = way.x.value();
-  slope(0, 3) = way.x.value();
-  slope(1, 3) = way.y.value();
-  return slope * known * slope.transpose();
-}
-
 }  // namespace
 
 VehicleAgent::VehicleAgent(std::shared_ptr<const floor::SiteMap> map, floor::VehicleSetup setup,
@@ -91,14 +76,12 @@ drive::VehicleState VehicleAgent::state() const {
 }
 
 // A vehicle that stands and is told nothing is where it was; most of a large fleet is, most of the time.
-drive::VehicleState VehicleAgent::stateAt(Seconds until) const {
+Expectation VehicleAgent::expectedAt(Seconds until) const {
   drive::VehicleState known = state();
-  const auto commands = history_.commands();
-  const bool told = !commands.empty() && commands.back().until > known.at;
-  if (told || abs(known.speed) > kStanding || abs(known.turnRate) > kStandingTurn)
-    return drive::predict(known, commands, until, ability_);
+  if (history_.holdsAfter(known.at) || abs(known.speed) > kStanding || abs(known.turnRate) > kStandingTurn)
+    return expectedOver(known, history_.cases(), until, ability_);
   known.at = std::max(known.at, until);
-  return known;
+  return {known};
 }
 
 link::Wish VehicleAgent::decide(Seconds now, const ChannelTiming& timing, EventLog& log) {
@@ -122,7 +105,7 @@ link::Wish VehicleAgent::decide(Seconds now, const ChannelTiming& timing, EventL
 
 void VehicleAgent::follow(Seconds now, const ChannelTiming& timing, EventLog& log) {
   timing_ = timing;
-  const drive::VehicleState expected = stateAt(timing.effectiveAt);
+  const drive::VehicleState expected = expectedAt(timing.effectiveAt).state;
   predicted_ = expected.pose;
   if (contact_ != Contact::Connected || !last_) return;
   if (task_ == Task::Jogging) wished_ = hand_.command(expected.pose.heading, timing.cycle);
@@ -227,18 +210,15 @@ VehicleView VehicleAgent::view(Seconds now, const PortView& port, const link::Li
   v.task = task_;
   v.firmware = firmware_;
   v.located = estimate_.located && last_.has_value();
-  const drive::VehicleState rolled = last_ ? stateAt(now) : state();
+  const Expectation expected = last_ ? expectedAt(now) : Expectation{state()};
+  const drive::VehicleState& rolled = expected.state;
   v.pose = rolled.pose;
   v.predicted = predicted_;
-  const Offset way = rolled.pose.position - estimate_.pose.position;
-  const Eigen::Matrix3d covariance = rolledOn(estimate_, way);
+  Eigen::Matrix3d covariance = rolledOn(estimate_, rolled.pose.position - estimate_.pose.position);
+  covariance.topLeftCorner<2, 2>() += expected.spread;
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)
       v.covariance[static_cast<std::size_t>(3 * row + column)] = covariance(row, column);
-  // What was rolled on since the last report is known a little less.
-  const double more = (rolled.sigma - estimate_.positionSigma()).value();
-  v.covariance[0] += more * more;
-  v.covariance[4] += more * more;
   // When the report was made is not quite known either, and it has driven on meanwhile.
   if (last_) {
     const double late = (abs(estimate_.speed) * last_->sampledDoubt).value();

@@ -17,6 +17,7 @@
 #include "supervisor/command_history.h"
 #include "supervisor/episode.h"
 #include "supervisor/event_log.h"
+#include "supervisor/expectation.h"
 #include "supervisor/hand_drive.h"
 #include "supervisor/locating_view.h"
 #include "supervisor/odometer.h"
@@ -82,6 +83,7 @@ public:
   void take(const link::Reported& e, EventLog& log);
   void take(const link::CommandSent& e);
   void take(const link::CommandAcknowledged& e);
+  void take(const link::CommandUnanswered& e) { history_.unanswered(e.counter); }
   /// inSession: one stands now. The old ones end with the old key.
   void take(const link::PairingEnded& e, bool inSession, EventLog& log);
   void take(const link::Disbelieved& e, Seconds now, EventLog& log);
@@ -102,13 +104,15 @@ private:
   void inTouch(EventLog& log);
   void takeTags(const link::Reported& e, EventLog& log);
   void tellSilence(const link::Reported& e);
+  /// gap: what came since it was last told may be missing.
+  void tellSilence(Seconds until, bool gap);
   void foresee();
   void noteInnovation(const ReadView& read);
   void watchState(Seconds now, EventLog& log);
   void watchPlace(EventLog& log);
   [[nodiscard]] Radians reportedHeading() const;
   [[nodiscard]] drive::VehicleState state() const;
-  [[nodiscard]] drive::VehicleState stateAt(Seconds until) const;
+  [[nodiscard]] Expectation expectedAt(Seconds until) const;
   void follow(Seconds now, const ChannelTiming& timing, EventLog& log);
   [[nodiscard]] link::Wish wishFor(const ChannelTiming& timing) const;
   void watchZones();

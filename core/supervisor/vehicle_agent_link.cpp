@@ -141,9 +141,9 @@ void VehicleAgent::take(const link::CommandSent& e) {
     sent.view.speed = wished_->speed;
     sent.view.heading = wished_->heading;
     sent.view.expiry = expiry;
-    history_.drive(*wished_, e.effectiveAt, expiry);
+    history_.drive(*wished_, e.effectiveAt, expiry, e.counter);
   } else {
-    history_.stand(e.effectiveAt);
+    history_.stand(e.effectiveAt, e.counter);
     // A Stop is repeated for as long as it holds; once taken it stays taken.
     if (sent_ && sent_->view.mode == e.entry.mode) sent.view.status = sent_->view.status;
   }
@@ -151,6 +151,7 @@ void VehicleAgent::take(const link::CommandSent& e) {
 }
 
 void VehicleAgent::take(const link::CommandAcknowledged& e) {
+  history_.taken(e.counter);
   if (!sent_ || sent_->counter != e.counter) return;
   sent_->view.status = CommandStatus::Acknowledged;
   if (sent_->view.mode == wire::CommandMode::Clear) clearing_ = false;
@@ -201,6 +202,8 @@ void VehicleAgent::takeTags(const link::Reported& e, EventLog& log) {
              phrase("Core", "%1 tag reads of %2 were lost.").with(e.tagEventsLost, name_));
   for (const link::TimedTagEvent& tag : e.tags) {
     if (tag.older) continue;  // an instant that is not known would mislead more than the read tells
+    // The readers' silence until then first: it says where the edge of the disc was, and all that came before is told.
+    if (e.tagEventsLost == 0 && toldUntil_ != Seconds{}) tellSilence(tag.at, false);
     if (tag.event.kind == wire::EventKind::Left) {
       locator_->add(locate::TagLeft{tag.event.reader, tag.at});
       continue;
@@ -225,8 +228,12 @@ void VehicleAgent::tellSilence(const link::Reported& e) {
   for (std::size_t i = 0; i < e.report.eventCount; ++i) used += wire::wireSize(e.report.events[i]);
   const bool all = used + kLargestEvent <= wire::Report::kEventRoom;
   const Seconds until = all ? e.sampledAt : (e.tags.empty() ? toldUntil_ : e.tags.back().at);
+  tellSilence(until, e.tagEventsLost > 0 || toldUntil_ == Seconds{});
+}
+
+void VehicleAgent::tellSilence(Seconds until, bool gap) {
   if (until <= toldUntil_) return;
-  locator_->told(e.tagEventsLost > 0 || toldUntil_ == Seconds{} ? until : toldUntil_, until);
+  locator_->told(gap ? until : toldUntil_, until);
   toldUntil_ = until;
 }
 

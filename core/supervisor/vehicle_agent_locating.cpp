@@ -50,7 +50,7 @@ std::shared_ptr<const LocatingView> VehicleAgent::locatingView() const {
   v->hold = timing_.cycle + kUnpredictedDelay;
   for (std::size_t i = 0; i < LocatingView::kWay; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(LocatingView::kWay);
-    v->way.push_back(stateAt(v->at + share * v->delay()).pose);
+    v->way.push_back(expectedAt(v->at + share * v->delay()).state.pose);
   }
   v->way.push_back(predicted_);
   const bool led = task_ == Task::Running && decision_ && decision_->phase != drive::Phase::Finished &&

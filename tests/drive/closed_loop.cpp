@@ -140,6 +140,7 @@ private:
 
   static drive::VehicleAbility ability(const LoopOptions& options) {
     drive::VehicleAbility ability;
+    ability.usualLag = ability.lag;
     ability.cornerCut = Metres{options.cut};
     return ability;
   }

@@ -62,7 +62,7 @@ TEST(Predictor, keepsStillWithoutCommandsAndBrakesWhenOneExpires) {
   const std::vector<TimedCommand> expired{{go(0.2, 0.0), Seconds{9.0}, Seconds{10.0}}};
   const VehicleState e = predict(s, expired, Seconds{12.0}, {});
   EXPECT_NEAR(e.speed.value(), 0.0, 1e-6);
-  EXPECT_NEAR(e.pose.position.x.value(), 0.2 * 0.2 / (2 * 0.5) + 0.2 * 0.1, 0.005) << "v²/2a, and the wheels' lag";
+  EXPECT_NEAR(e.pose.position.x.value(), 0.2 * 0.2 / (2 * 0.5) + 0.2 * 0.03, 0.005) << "v²/2a, and the wheels' lag";
 }
 
 TEST(Predictor, rollsThroughTheCommandsInTheirOrder) {

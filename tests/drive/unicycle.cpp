@@ -17,7 +17,7 @@ constexpr double kArcStep = 3.0;          // degrees
 
 drive::VehicleAbility unicycleAbility() {
   drive::VehicleAbility ability;
-  ability.lag = Seconds{kUnicycleLag};
+  ability.lag = ability.usualLag = Seconds{kUnicycleLag};
   ability.maxTurnRate = RadiansPerSecond{2.5};
   // It turns as it is told and is never slower for it.
   ability.fullSpeedError = ability.turnFirstError = Radians{kPi};

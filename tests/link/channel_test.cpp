@@ -40,6 +40,20 @@ TEST(Channel, carriesTheCommandToTheVehicleAndSeesItAcknowledged) {
   EXPECT_EQ(entry.expiry, 21) << "rounded up to units of 20 ms";
 }
 
+TEST(Channel, saysWhichCommandStayedWithoutAnAnswer) {
+  ChannelRig rig{1};
+  rig.drive(1);
+  ASSERT_TRUE(rig.runUntil([&] { return rig.count<CommandAcknowledged>() > 3; }, Seconds{2}));
+  EXPECT_EQ(rig.count<CommandUnanswered>(), 0U);
+  rig.air->options().loss = 1.0;
+  ASSERT_TRUE(rig.runUntil([&] { return rig.count<CommandUnanswered>() > 0; }, Seconds{2}));
+  rig.air->options().loss = 0.0;
+  const std::uint32_t lost = rig.all<CommandUnanswered>().front().counter;
+  rig.run(Seconds{1});
+  for (const CommandAcknowledged& taken : rig.all<CommandAcknowledged>()) EXPECT_NE(taken.counter, lost);
+  EXPECT_GT(rig.all<CommandAcknowledged>().back().counter, lost);
+}
+
 TEST(Channel, mapsTheInstantOfAReportToItsOwnClock) {
   ChannelRig rig{1};
   rig.drive(1);

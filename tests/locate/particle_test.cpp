@@ -91,6 +91,15 @@ TEST(Particles, learnFromSilence) {
   EXPECT_LT(particleFigures({}).mean, 0.9 * deaf.mean);
 }
 
+TEST(Particles, learnMoreFromAReadIfTheSilenceBeforeItIsToldFirst) {
+  // Where on its disc's edge a reader met the tag, only the silence says.
+  DriveOptions inOrder;
+  inOrder.reportPeriod = 0.4;
+  DriveOptions silenceLast = inOrder;
+  silenceLast.silenceLast = true;
+  EXPECT_LT(particleFigures(inOrder).mean, 0.95 * particleFigures(silenceLast).mean);
+}
+
 TEST(Particles, bearTagsThatAnswerNobody) {
   // A fifth of the tags is dead: their silence must not push the estimate away.
   floor::Site site = paperSite();

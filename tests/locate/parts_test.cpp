@@ -77,6 +77,20 @@ TEST(Odometry, interpolatesAndRollsOnForABoundedTime) {
   EXPECT_NEAR(odometry.at(-1.0).travel, 0.0, 1e-12);
 }
 
+TEST(Odometry, knowsFromTheSpeedsHowTheWayBetweenTwoSamplesWasDriven) {
+  // Brakes with 0.5 m/s², from 0.2 m/s to a stand: 0.4 s, 4 cm.
+  Odometry odometry{MetresPerSecond{0.5}};
+  odometry.add(motion(0.0, 1.0, 0.0, 0.2));
+  odometry.add(motion(0.4, 1.04, 0.0, 0.0));
+  for (const double t : {0.1, 0.2, 0.3}) EXPECT_NEAR(odometry.at(t).travel, 1.0 + 0.2 * t - 0.25 * t * t, 1e-9);
+  // Speeds that contradict the way do not lead beyond it.
+  odometry.add(motion(0.8, 1.041, 0.0, 0.5));
+  for (double t = 0.4; t < 0.8; t += 0.01) {
+    EXPECT_GE(odometry.at(t + 0.01).travel, odometry.at(t).travel - 1e-12);
+    EXPECT_LE(odometry.at(t).travel, 1.041 + 1e-12);
+  }
+}
+
 TEST(Odometry, takesTheShortWayRoundTheCircle) {
   Odometry odometry{MetresPerSecond{0.5}};
   odometry.add(motion(0.0, 0.0, 3.1));

@@ -151,8 +151,14 @@ std::vector<Sample> drive(const floor::SiteMap& map, const floor::VehicleSetup& 
   double toldUntil = 0.0;
   std::vector<Sample> samples;
   for (const Delivery& delivery : world.deliveries) {
-    for (const Observation& observation : delivery.what)
+    for (const Observation& observation : delivery.what) {
+      const double at = std::visit([](const auto& o) { return o.at.value(); }, observation);
+      if (complete && !options.silenceLast && !std::holds_alternative<locate::Motion>(observation) && at > toldUntil) {
+        locator.told(Seconds{toldUntil}, Seconds{at});
+        toldUntil = at;
+      }
       std::visit([&](const auto& o) { locator.add(o); }, observation);
+    }
     if (complete) locator.told(Seconds{toldUntil}, Seconds{delivery.made});
     toldUntil = delivery.made;
     const Seconds last = locator.lastMotion();

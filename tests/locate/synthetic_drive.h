@@ -27,9 +27,10 @@ struct DriveOptions {
   double lostEvents = 0.0;   ///< chance that a tag event never arrives
   double unknownTags = 0.0;  ///< chance that a tag's UID is not in the map
   std::optional<double>
-      carriedAt;           ///< s: lifted and set down 0.5 m to the right (or left, near the edge), turned by 90°
-  bool shuffled = false;   ///< each report's observations in reverse order, every third report 1 s late
-  bool everyRead = false;  ///< every successful attempt is told, not only the first of a visit
+      carriedAt;             ///< s: lifted and set down 0.5 m to the right (or left, near the edge), turned by 90°
+  bool shuffled = false;     ///< each report's observations in reverse order, every third report 1 s late
+  bool silenceLast = false;  ///< the silence before a read is told after it, with the rest of the report's
+  bool everyRead = false;    ///< every successful attempt is told, not only the first of a visit
   std::uint32_t seed = 1;
 };
 

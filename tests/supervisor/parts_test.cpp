@@ -1,7 +1,6 @@
 // The small parts of a vehicle's agent.
 #include <gtest/gtest.h>
 
-#include "supervisor/command_history.h"
 #include "supervisor/episode.h"
 #include "supervisor/odometer.h"
 #include "supervisor/parameter_texts.h"
@@ -24,38 +23,6 @@ TEST(Odometer, keepsTheWayWhenTheVehicleCountsAnew) {
   odometer.restart();
   EXPECT_NEAR(odometer.add(0).value(), 5.0, 1e-9);
   EXPECT_NEAR(odometer.add(200).value(), 5.2, 1e-9);
-}
-
-TEST(CommandHistory, letsALaterCommandTakeOver) {
-  CommandHistory history;
-  history.drive({MetresPerSecond{0.1}, {}}, Seconds{1.0}, Seconds{0.5});
-  history.drive({MetresPerSecond{0.2}, {}}, Seconds{1.2}, Seconds{0.5});
-  ASSERT_EQ(history.commands().size(), 2U);
-  EXPECT_EQ(history.commands()[0].until, Seconds{1.2});
-  EXPECT_EQ(history.commands()[1].until, Seconds{1.7});
-}
-
-TEST(CommandHistory, endsACommandWithAStopButProlongsNone) {
-  CommandHistory history;
-  history.drive({MetresPerSecond{0.1}, {}}, Seconds{1.0}, Seconds{0.5});
-  history.stand(Seconds{3.0});
-  EXPECT_EQ(history.commands()[0].until, Seconds{1.5});
-  history.stand(Seconds{1.1});
-  EXPECT_EQ(history.commands()[0].until, Seconds{1.1});
-}
-
-TEST(CommandHistory, staysSortedWhenTheLatencyIsMeasuredAnew) {
-  CommandHistory history;
-  history.drive({MetresPerSecond{0.1}, {}}, Seconds{1.0}, Seconds{0.5});
-  history.drive({MetresPerSecond{0.2}, {}}, Seconds{0.9}, Seconds{0.5});
-  ASSERT_EQ(history.commands().size(), 1U);
-  EXPECT_EQ(history.commands()[0].command.speed, MetresPerSecond{0.2});
-}
-
-TEST(CommandHistory, doesNotGrowWithoutEnd) {
-  CommandHistory history;
-  for (int i = 0; i < 100000; ++i) history.drive({}, Seconds{0.1 * i}, Seconds{0.4});
-  EXPECT_LT(history.commands().size(), 100U);
 }
 
 TEST(Episode, beginsOnceAndEndsOnceAfterItsQuiet) {
