@@ -72,10 +72,11 @@ TEST_P(AnExperimentThroughThePort, leavesItsFiguresItsTrackAndItsPicture) {
   ASSERT_GT(rows.size(), 20U);
   EXPECT_EQ(rows[0],
             "time_s,true_x_m,true_y_m,true_heading_rad,estimate_x_m,estimate_y_m,estimate_heading_rad,located,"
-            "command_speed_m_per_s,command_heading_rad,judged");
+            "command_speed_m_per_s,command_heading_rad,judged,claimed_xx_m2,claimed_yy_m2,claimed_xy_m2");
   EXPECT_GT(rows.size(), summary["samples"].get<std::size_t>()) << "a row for each sample, and the header";
-  for (const auto& row : rows) EXPECT_EQ(std::count(row.begin(), row.end(), ','), 10) << row;
-  const auto judged = std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.ends_with(",1"); });
+  for (const auto& row : rows) EXPECT_EQ(std::count(row.begin(), row.end(), ','), 13) << row;
+  const auto isJudged = [](const std::string& row) { return QString::fromStdString(row).section(',', 10, 10) == "1"; };
+  const auto judged = std::count_if(rows.begin(), rows.end(), isJudged);
   EXPECT_EQ(judged, summary["samples"].get<std::ptrdiff_t>()) << "the ticks that the figures count";
 
   const QImage picture{QString::fromStdString(out + "/track.png"), "PNG"};
