@@ -211,6 +211,10 @@ void MainWindow::setAppearance(Appearance appearance) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!unasked_ && closesWhenWritten()) {
+    event->ignore();
+    return;
+  }
   // The question itself may be ended by an end that does not ask.
   if (!unasked_ && !files_->mayLeave() && !unasked_) {
     event->ignore();

@@ -120,6 +120,7 @@ private:
   void openRadio();
   void commission(std::optional<VehicleId> vehicle);
   void takeUpKeys(const std::vector<supervisor::Event>& events);
+  [[nodiscard]] bool closesWhenWritten();
   void tellUnconfirmed(const QStringList& vehicles);
   void tell(const QString& sentence);
   void showHelp();
@@ -157,8 +158,9 @@ private:
   QPointer<ui::HelpWindow> help_;
   bool commissioning_ = false;  ///< the wizard takes the keys up itself
   bool unasked_ = false;
-  bool routeBusy_ = false;  ///< as the marks were last put down
-  bool open_ = false;       // a site stands in the document
+  bool closesLater_ = false;  ///< by itself, once the compass' values are written
+  bool routeBusy_ = false;    ///< as the marks were last put down
+  bool open_ = false;         // a site stands in the document
   QLabel* place_;
   QLabel* hint_;
   QToolButton* faults_;

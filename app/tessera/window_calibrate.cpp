@@ -20,6 +20,20 @@ void MainWindow::joinCalibration() {
   auto* compass = new ui::CompassPanel{*survey_, *session_, selection_, document_};
   panels_->addTool(*this, "compassDock", "compass", compass, "chartsDock");
   connect(actions_->compass, &QAction::triggered, this, [this, compass] { panels_->bringForward(compass); });
+  connect(
+      survey_.get(), &ui::CompassSurvey::changed, this,
+      [this] {
+        if (closesLater_ && !survey_->writes()) close();
+      },
+      Qt::QueuedConnection);
+}
+
+// Half old, half new values would stay in the vehicle, and nobody else knows the old ones. Written or given up they are
+// within seconds, whether the vehicle answers or not.
+bool MainWindow::closesWhenWritten() {
+  closesLater_ = survey_->writes();
+  if (closesLater_) tell(tr("The compass' values are being written into the vehicle; then the window closes."));
+  return closesLater_;
 }
 
 }  // namespace tessera::desktop

@@ -2999,6 +2999,10 @@
         <source>&amp;Forget</source>
         <translation>清除(&amp;F)</translation>
     </message>
+    <message>
+        <source>The compass&apos; values are being written into the vehicle; then the window closes.</source>
+        <translation>正在把罗盘的数值写入车辆；写完后窗口会关闭。</translation>
+    </message>
 </context>
 <context>
     <name>tessera::desktop::RevisionDesk</name>

@@ -63,6 +63,12 @@ TEST_F(CalibrationInWindow, measuresTheCompassByTurningAndKeepsTheSamplesOutOfTh
     told +=
         listed->index(row, ui::EventModel::What).data().toString().contains(QStringLiteral("in a direction")) ? 1 : 0;
   EXPECT_EQ(told, 0);
+
+  QTest::mouseClick(find("writeSurvey"), Qt::LeftButton);
+  window->close();
+  EXPECT_TRUE(window->isVisible()) << "half of the values are old ones";
+  ASSERT_TRUE(until([&] { return !window->isVisible(); })) << result->text().toStdString();
+  EXPECT_TRUE(result->text().startsWith(QStringLiteral("Written"))) << result->text().toStdString();
 }
 
 }  // namespace
