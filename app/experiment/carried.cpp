@@ -6,6 +6,7 @@ namespace {
 constexpr Metres kWrong{0.10};
 constexpr MetresPerSecond kNoVehicle{3.0};  // what is faster is being carried, as the truth between two of its lines is
 
+bool sure(const Sample& s) { return s.belief.located && !s.belief.doubted; }
 Metres errorOf(const Sample& s) { return distance(s.belief.pose.position, s.truth.pose.position); }
 
 }  // namespace
@@ -22,7 +23,7 @@ std::optional<Metres> foundAfter(const std::vector<Sample>& samples, Seconds at)
       if (step <= kNoVehicle * (s.belief.at - before->belief.at)) way += step;
     }
     before = &s;
-    if (!s.belief.located || errorOf(s) > kFoundWithin) {
+    if (!sure(s) || errorOf(s) > kFoundWithin) {
       since.reset();
       continue;
     }
@@ -38,7 +39,7 @@ std::optional<Metres> foundAfter(const std::vector<Sample>& samples, Seconds at)
 Seconds wronglySure(const std::vector<Sample>& samples, Seconds at) {
   Seconds total;
   for (std::size_t i = 1; i < samples.size(); ++i)
-    if (samples[i].belief.at >= at && samples[i].belief.located && errorOf(samples[i]) > kWrong)
+    if (samples[i].belief.at >= at && sure(samples[i]) && errorOf(samples[i]) > kWrong)
       total += samples[i].belief.at - samples[i - 1].belief.at;
   return total;
 }

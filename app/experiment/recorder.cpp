@@ -43,6 +43,7 @@ void Recorder::takeVehicle(Track& track, const supervisor::VehicleView& view, Se
   belief.at = at;
   belief.pose = view.pose;
   belief.located = view.located;
+  belief.doubted = view.doubted;
   belief.doubt = {view.covariance[0], view.covariance[4], view.covariance[1]};
   // Before it was located for the first time there is no estimate to judge.
   track.everLocated = track.everLocated || view.located;

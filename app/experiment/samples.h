@@ -14,6 +14,7 @@ struct Belief {
   Seconds at;
   Pose pose;
   bool located = false;
+  bool doubted = false;           ///< located, but it says that it may be elsewhere
   std::array<double, 3> doubt{};  ///< variances of x and y and their covariance, m², as the locator claims them
   MetresPerSecond commandSpeed;
   Radians commandHeading;

@@ -31,19 +31,17 @@ struct ParticleOptions {
   double turnShare = 0.1;            ///< of a heading change between two samples: doubt about the heading meanwhile
   double longestPiece = 0.02;        ///< m, of the way that is moved at once
   // What a reader sees.
-  double rim = 0.0055;  ///< m, logistic width of the disc's edge
+  double rim = 0.005;  ///< m, logistic width of the disc's edge
   double instant =
       0.010;  ///< s, by which the instants of attempts are off: blurs the edge the more, the faster it goes
   double detection = 0.82;  ///< chance that an attempt inside the disc succeeds; a little below the truth is safe
   double deadTag = 0.02;    ///< chance that a tag of the map answers nobody
   double readLag = 0.020;   ///< s from a reader's asking the floor to the instant told: its result waits for the bus
   // When the picture is wrong.
-  double gate = 2e-3;           ///< a read less likely than this contradicts the estimate
-  double surprise = 0.05;       ///< a read less likely than this is taken in with more doubt about the place
-  double surpriseSigma = 0.02;  ///< m, that doubt
-  double poorSigma = 0.01;      ///< m, likewise where hardly a particle is left that explains what came
-  double largestSigma = 0.20;   ///< m: with more doubt about the place it does not count as located
-  double roughening = 0.10;     ///< share of the spread by which resampled particles are moved apart
+  double gate = 2e-3;       ///< a read less likely than this contradicts the estimate
+  double poorSigma = 0.01;  ///< m, more doubt about the place where hardly a particle is left that explains what came
+  double largestSigma = 0.20;  ///< m: with more doubt about the place it does not count as located
+  double roughening = 0.10;    ///< share of the spread by which resampled particles are moved apart
 };
 
 /// Movement between two instants, as the odometer and the compass report it.

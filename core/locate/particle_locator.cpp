@@ -122,7 +122,7 @@ void ParticleLocator::take(int reader, const Eigen::Vector2d& tag, double at) {
   if (!placed_) return startFrom(reader, tag, at);
   const ReaderThen then = readerThen(reader, at);
   const double radius = vehicle_.readerRadius.value();
-  double chance = cloud_.chanceOf(then, tag, radius);
+  const double chance = cloud_.chanceOf(then, tag, radius);
   watch.holds = true;
   watch.tag = tag;
   if (!still) watch.came = at;
@@ -130,11 +130,6 @@ void ParticleLocator::take(int reader, const Eigen::Vector2d& tag, double at) {
   if (!watch.trusted) {
     if (!still) contradicted(reader, tag, at);
     return;
-  }
-  if (chance < options_.surprise) {
-    // Off by more than it believes: a wrong start, a slip. Doubting more, it comes back in a few reads.
-    cloud_.roughen(options_.surpriseSigma);
-    chance = cloud_.chanceOf(then, tag, radius);
   }
   cloud_.weighSeen(static_cast<std::size_t>(reader));
   cloud_.resampleIfNeeded();
@@ -268,6 +263,7 @@ Estimate ParticleLocator::at(Seconds now) const {
   estimate.speed = MetresPerSecond{sample.speed * moments_.mean(3)};
   estimate.turnRate = RadiansPerSecond{sample.turnRate};
   estimate.located = placed_ && estimate.positionSigma() < Metres{options_.largestSigma} && now.value() >= lostUntil_;
+  if (rivals_) doubt(estimate);
   return estimate;
 }
 

@@ -74,6 +74,7 @@ private:
   [[nodiscard]] Eigen::Vector2d wayBetween(double from, double to) const;
   [[nodiscard]] ReaderThen readerThen(int reader, double at) const;
   [[nodiscard]] bool standsSinceBelieved(double at) const;
+  void doubt(Estimate& estimate) const;
 
   TagIntake intake_;
   std::shared_ptr<const floor::SiteMap> map_;

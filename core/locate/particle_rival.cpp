@@ -79,6 +79,16 @@ void ParticleLocator::judgeRival() {
   }
 }
 
+// The claim is that of both beliefs together, about the place that is told. It goes on driving, more slowly the farther
+// they lie apart: standing would not tell it which is right.
+void ParticleLocator::doubt(Estimate& estimate) const {
+  const double share = 1.0 / (1.0 + std::exp(lead_));
+  const Eigen::Vector2d apart = rivalMoments_.mean.head<2>() - moments_.mean.head<2>();
+  const Eigen::Matrix2d there = rivalMoments_.covariance.topLeftCorner<2, 2>() + apart * apart.transpose();
+  estimate.covariance.topLeftCorner<2, 2>() += 0.5 * share * (there + there.transpose());
+  estimate.doubted = estimate.located && lead_ <= kStartLead;
+}
+
 void ParticleLocator::startFrom(int reader, const Eigen::Vector2d& tag, double at) {
   const ReaderThen then = readerThen(reader, at);
   cloud_.moved(wayBetween(cloudFrom_, odometry_.last().value()));

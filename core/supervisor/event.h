@@ -25,6 +25,7 @@ enum class EventKind {
   Restarted,       ///< a vehicle lost its session because it started anew
   Located,         ///< its place became known for the first time
   Lost,            ///< its place is no longer known; over: it is again
+  Doubted,         ///< a tag speaks for another place; over: others have decided
   Fault,           ///< one of wire::Fault, named in the sentence
   Obstacle,        ///< stands before an obstacle
   Expired,         ///< stopped by itself because commands stopped coming

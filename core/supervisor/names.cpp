@@ -39,6 +39,8 @@ std::string_view nameOf(EventKind kind) {
       return "located";
     case EventKind::Lost:
       return "lost";
+    case EventKind::Doubted:
+      return "doubted";
     case EventKind::Fault:
       return "fault";
     case EventKind::Obstacle:

@@ -210,6 +210,7 @@ VehicleView VehicleAgent::view(Seconds now, const PortView& port, const link::Li
   v.task = task_;
   v.firmware = firmware_;
   v.located = estimate_.located && last_.has_value();
+  v.doubted = v.located && estimate_.doubted;
   const Expectation expected = last_ ? expectedAt(now) : Expectation{state()};
   const drive::VehicleState& rolled = expected.state;
   v.pose = rolled.pose;

@@ -2122,6 +2122,14 @@
         <source>Leg %1 of route &quot;%2&quot; may be driven at %3 m/s, but rounding its corner %6 comes through the slow zone &quot;%4&quot; of %5 m/s.</source>
         <translation>路径“%2”的第 %1 段允许 %3 m/s，但%6在该段拐角走圆角时穿过限速 %5 m/s 的慢行区域“%4”。</translation>
     </message>
+    <message>
+        <source>%1 read a tag that lies elsewhere: it goes on slowly until others tell where it is.</source>
+        <translation>%1 读到了一个应在别处的标签：它慢速前行，直到其他标签表明它在哪里。</translation>
+    </message>
+    <message>
+        <source>%1 is sure of its place again.</source>
+        <translation>%1 又确定了自己的位置。</translation>
+    </message>
 </context>
 <context>
     <name>FloorCanvas</name>
@@ -5770,6 +5778,10 @@ x %2 m，y %3 m</translation>
     <message>
         <source>%1 s to the next command, which holds %2 s</source>
         <translation>距下一指令 %1 秒，保持 %2 秒</translation>
+    </message>
+    <message>
+        <source>The last tag lies elsewhere.</source>
+        <translation>最近读到的标签在别处。</translation>
     </message>
 </context>
 <context>

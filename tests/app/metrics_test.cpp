@@ -228,6 +228,8 @@ TEST(Carried, isFoundWhereTheErrorStaysSmallNotWhereItPassesThrough) {
   ASSERT_TRUE(way.has_value());
   EXPECT_NEAR(way->value(), 0.70, 1e-6);
   EXPECT_NEAR(wronglySure(samples, Seconds{5.0}).value(), 6.9, 1e-6);
+  for (std::size_t i = 100; i < 120; ++i) samples[i].belief.doubted = true;
+  EXPECT_NEAR(wronglySure(samples, Seconds{5.0}).value(), 4.9, 1e-6) << "what says that it may be wrong is not sure";
 }
 
 TEST(Carried, isNotChargedForTheWayThatItWasCarried) {

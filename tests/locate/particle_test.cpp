@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -160,6 +161,28 @@ TEST(Particles, countWhatTheyCannotUse) {
   EXPECT_EQ(locator->counters().unknownTags, 1U);
   EXPECT_EQ(locator->counters().invalid, 3U);
   EXPECT_EQ(locator->counters().tooLate, 2U);
+}
+
+TEST(Particles, sayThatTheyDoubtTheirPlaceAndHowFarFromTheFirstTagThatSpeaksForAnother) {
+  const auto map = paperMap();
+  for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+    DriveOptions options;
+    options.seed = seed;
+    const auto undisturbed = drive(*map, paperVehicle(), map->route("paper")->vertices, options, *particles(map));
+    EXPECT_TRUE(
+        std::none_of(undisturbed.begin(), undisturbed.end(), [](const Sample& s) { return s.estimate.doubted; }))
+        << "seed " << seed;
+    options.carriedAt = 5.0;
+    const auto carried = drive(*map, paperVehicle(), map->route("paper")->vertices, options, *particles(map));
+    const auto wrong = [](const Sample& s) {
+      return distance(s.estimate.pose.position, s.truth.position) > Metres{0.2};
+    };
+    const auto first = std::find_if(carried.begin(), carried.end(), [](const Sample& s) { return s.estimate.doubted; });
+    if (first == carried.end()) continue;  // a second tag came with the same report and decided
+    EXPECT_TRUE(wrong(*first)) << "seed " << seed;
+    EXPECT_GT(first->estimate.positionSigma(), Metres{0.08}) << "seed " << seed;
+    EXPECT_FALSE(carried.back().estimate.doubted) << "seed " << seed;
+  }
 }
 
 TEST(Particles, areTheSameEveryTime) {

@@ -66,6 +66,9 @@ TEST_F(Adversity, aVehiclePutElsewhereIsToldAsLostUntilItsPlaceIsKnownAgain) {
   }
   ASSERT_TRUE(rig.runUntil([&] { return !rig.told(EventKind::Lost, true).empty(); }, Seconds{60})) << rig.view(1).doing;
   expectEpisode(EventKind::Lost, "AGV 1 has lost its place and stands.");
+  ASSERT_FALSE(rig.told(EventKind::Doubted).empty());
+  EXPECT_EQ(rig.told(EventKind::Doubted).front().sentence.english(),
+            "AGV 1 read a tag that lies elsewhere: it goes on slowly until others tell where it is.");
   EXPECT_EQ(rig.told(EventKind::Located).size(), 1U) << "the first time only";
 }
 
