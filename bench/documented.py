@@ -78,6 +78,7 @@ ASKED_ROWS = ("--poll 0.1 --air 19200", "--poll 0.1 --air 19200 --estimator tag-
               "--poll 0.2 --air 2400 --air-factor 1",
               "--poll 0.2 --air 2400 --air-factor 1 --detection 0.72 --compass-bias 5 --slip 0.1",
               "--poll 0.1 --air 2400 --air-factor 1", "--air 19200 --air-factor 1 --delay 0.3", "--speed 0.5 --air 19200")
+OURS = [words for words in ASKED_ROWS if "tag-centre" not in words]
 # What a simulation without vehicle and radio foretold for such errors: options, centimetres.
 FORETOLD = (("--readers 1", "1.46"), ("--readers 2", "0.97"), ("--readers 3", "0.77"), ("--readers 5", "0.63"),
             ("--poll 0.2", "1.00"), ("--poll 0.4", "1.39"), ("--pitch 0.1", "0.54"), ("--pitch 0.2", "1.02"))
@@ -96,8 +97,9 @@ TABLES = [
     Table("asked", "The publication's vehicle with the errors of its parts", "limits", ["options", "odometer's noise"],
           asked(ASKED_ROWS), words=f"--vehicle native --lockstep {ASKED}", baseline=True),
     Table("asked-hundred", "The same on a hundred seeds on which nothing was chosen", "limits", ["options", "odometer's noise"],
-          asked([words for words in ASKED_ROWS if "tag-centre" not in words]), words=f"--vehicle native --lockstep {ASKED}",
-          seeds=range(301, 401), baseline=True),
+          asked(OURS), words=f"--vehicle native --lockstep {ASKED}", seeds=range(301, 401), baseline=True),
+    Table("asked-no-iron", "The same on a floor without iron", "limits", ["options", "odometer's noise"],
+          asked(OURS), words=f"--vehicle native --lockstep {ASKED} --compass-spots 0", seeds=range(301, 401), baseline=True),
     Table("asked-carried", "The same, carried in the middle of the drive", "carried", ["options", "odometer's noise"],
           asked(["--carry 20 --air 19200"]), words=f"--vehicle native --lockstep {ASKED}", seeds=range(1, 101), baseline=True),
     Table("foretold", "Readers, polls and pitch against what was foretold", "limits", ["options", "foretold mean, cm"],
@@ -105,6 +107,9 @@ TABLES = [
           words=f"--vehicle native --lockstep {ASKED} --speed-noise-time 0.05 --air 19200", baseline=True),
     real("qemu", "Firmware in QEMU, through a pty, in real time",
          [Row([f"{float(speed):.2f}"], f"--speed {speed}") for speed in SPEEDS], keys=["m/s"], seeds=range(1, 6), jobs=2),
+    Table("qemu-asked", "The publication's vehicle with the errors of its parts, firmware in QEMU, through a pty, in real time",
+          "limits", ["options", "odometer's noise"], asked(["--poll 0.1 --air 19200", "--poll 0.1 --air 2400 --air-factor 1"]),
+          words=f"--vehicle qemu {ASKED}", seeds=range(1, 4), jobs=2, baseline=True),
     real("three-qemu", "Three vehicles on one channel, firmware in QEMU, through a pty, in real time", [Row(["0.12"], THREE)],
          keys=["m/s", "vehicle"], seeds=range(1, 2), jobs=1),
     at_speeds("native", "Native vehicles, virtual time"),
@@ -144,6 +149,8 @@ TABLES = [
 
 # Pictures that go with them: folder, tables that they are drawn from, the column that tells series apart, and the name in
 # docs/pictures of each that the document shows.
+# Pictures of single runs: where one lies in the folder of results, and its name beside the document.
+TRACKS = {"native/03-0.12/1/track.png": "track-0.12.png"}
 CHARTS = [
     ("locators", ["native", "tag-centre"], "estimator",
      {"errors.png": "experiments-errors.png", "speed.png": "experiments-speed.png"}),

@@ -41,7 +41,7 @@ def put_into(document, name, table):
 def unicycle(programs):
     """Its table comes from a program of its own; None where that is not built."""
     if not (programs / "bench_drive").exists():
-        print("bench_drive is not built here")
+        print("bench_drive is not built here; ./dev bench builds it", file=sys.stderr)
         return None
     done = subprocess.run([programs / "bench_drive"], capture_output=True, text=True, check=True)
     return [line for line in done.stdout.splitlines() if line.startswith("|")]
@@ -59,6 +59,9 @@ def draw(programs, out, pictures):
         fine = fine and done.returncode == 0
         for picture, name in kept.items() if pictures and done.returncode == 0 else ():
             shutil.copyfile(to / picture, pictures / name)
+    for picture, name in documented.TRACKS.items() if pictures else ():
+        if (out / picture).exists():
+            shutil.copyfile(out / picture, pictures / name)
     return fine
 
 
@@ -107,8 +110,11 @@ def main():
         for note in tables.notes([r for _, results in cases for r in results]):
             print("\n" + note, flush=True)
         failed = experiments.complain(cases, table.baseline) or failed
-    if cycle and (lines := unicycle(programs)):
-        give("unicycle", "Controllers on a unicycle without radio", lines)
+    if cycle:
+        lines = unicycle(programs)
+        failed = failed or lines is None
+        if lines:
+            give("unicycle", "Controllers on a unicycle without radio", lines)
     drawn = draw(programs, out, arguments.into and arguments.into.parent / "pictures")
     return 1 if failed or not drawn else 0
 

@@ -32,8 +32,9 @@ def drive(figures, of):
 def limits(figures, of):
     return [finished(figures, of), cm(figures, "position_error_mean_m", mean), cm(figures, "position_error_mean_m", max),
             cm(figures, "cross_track_rms_off_corners_m", mean), cm(figures, "cross_track_max_off_corners_m", max),
-            cm(figures, "end_error_m", max), f"{mean([f['nees_mean'] for f in figures]):.2f}",
-            f"{sum(f['consistent'] for f in figures)}/{len(figures)}", f"{min(f['mean_speed_ratio'] for f in figures):.2f}"]
+            cm(figures, "end_error_m", max), f"{sum(f['reversals'] for f in figures)}",
+            f"{mean([f['nees_mean'] for f in figures]):.2f}", f"{sum(f['consistent'] for f in figures)}/{len(figures)}",
+            f"{mean([f['mean_speed_ratio'] for f in figures]):.2f}", f"{min(f['mean_speed_ratio'] for f in figures):.2f}"]
 
 
 def floor(figures, of):
@@ -46,9 +47,10 @@ def carried(figures, of):
     lifted = [f["carried"] for f in figures if "carried" in f]
     ways = [c["found_after_m"] for c in lifted if c["found"]]
     if not ways:
-        return [f"0/{of}"] + ["–"] * 4
+        return [f"0/{of}"] + ["–"] * 5
+    sure = [c["wrongly_sure_s"] for c in lifted]
     return [f"{len(ways)}/{of}", f"{mean(ways):.2f}", f"{max(ways):.2f}", f"{sum(w <= 1.0 for w in ways)}/{of}",
-            f"{mean([c['wrongly_sure_s'] for c in lifted]):.1f}"]
+            f"{mean(sure):.1f}", f"{max(sure):.1f}"]
 
 
 def split(figures, of):
@@ -64,11 +66,11 @@ KINDS = {
     "drive": (drive, "finished | position error mean, cm | worst seed | p95, worst seed | cross-track RMS, cm | worst seed |"
                      " reversals | mean speed ratio, worst seed"),
     "limits": (limits, "finished | position error mean, cm | worst seed | cross-track RMS off corners, cm |"
-                       " largest, worst seed | off the end, worst seed | NEES (2 is honest) | consistent runs |"
-                       " mean speed ratio, worst seed"),
+                       " largest, worst seed | off the end, worst seed | reversals | NEES (2 is honest) |"
+                       " consistent runs | mean speed ratio | worst seed"),
     "floor": (floor, "finished | position error mean, cm | worst seed | largest at any time, worst seed |"
                      " cross-track RMS, cm | worst seed | diverged"),
-    "carried": (carried, "found again | after, m | the longest way, m | within 1 m | sure of a wrong place, s"),
+    "carried": (carried, "found again | after, m | the longest way, m | within 1 m | sure of a wrong place, s | the longest, s"),
     "split": (split, "across, off corners | largest true | along, at the end | across, at the end | within 1 cm of the end |"
                      " worst"),
 }

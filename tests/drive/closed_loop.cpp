@@ -115,7 +115,7 @@ public:
   LoopResult run() {
     double stopAt = o_.limit;
     for (; now_ < stopAt; now_ += kStep) {
-      if (o_.carryAt && now_ >= *o_.carryAt) vehicle_.carry({Metres{-0.6}, Metres{}}), o_.carryAt.reset();
+      if (o_.carryAt && now_ >= *o_.carryAt) vehicle_.carry({Metres{-o_.carryBy}, Metres{}}), o_.carryAt.reset();
       measure();
       if (now_ >= nextDecision_ && measured_.size() > 1 && decide()) stopAt = std::min(stopAt, now_ + o_.up + kRest);
       while (!onTheWay_.empty() && onTheWay_.front().from.value() <= now_) {

@@ -23,7 +23,8 @@ struct LoopOptions {
   double cut = 0.0;               ///< m by which it may leave corners
   double lag = 0.10;              ///< s (the controller believes in 0.10)
   std::optional<Pose> start;      ///< else on the route's start, facing along it
-  std::optional<double> carryAt;  ///< s: put down 0.6 m to the left
+  std::optional<double> carryAt;  ///< s: put down to the left by ...
+  double carryBy = 0.6;           ///< ... so many m
   double limit = 240.0;           ///< s of driving at most
   std::uint32_t seed = 1;
 };

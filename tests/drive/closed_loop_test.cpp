@@ -206,6 +206,22 @@ TEST(ClosedLoop, goesBackToTheRouteAfterBeingCarried) {
   EXPECT_THAT(r.phases, ::testing::Contains(Phase::Approaching));
 }
 
+TEST(ClosedLoop, comesBackToTheLineAfterAPush) {
+  const auto route = routeOf({{0, 0}, {0, 1.5}, {1, 1.5}});
+  for (const double delay : {0.25, 0.75}) {
+    const LoopResult alone = closeLoop("look-ahead", route, at(0.12, delay));
+    LoopOptions options = at(0.12, delay);
+    options.carryAt = 6.0;
+    options.carryBy = 0.2;
+    const LoopResult r = report("pushed by 20 cm", "look-ahead", route, options);
+    EXPECT_TRUE(r.finished);
+    EXPECT_LT(r.endError, 0.02);
+    EXPECT_EQ(r.largestLoss, alone.largestLoss) << "it does not turn back for the line";
+    EXPECT_LT(r.missedVertex, 0.02) << "it is on the line again where that bends, half a metre on";
+    EXPECT_LT(r.duration, alone.duration + 5.0);
+  }
+}
+
 TEST(ClosedLoop, isTheSameEveryTime) {
   LoopOptions options = at(0.12, 0.4);
   options.poseNoise = 0.01;

@@ -255,7 +255,9 @@ TEST_F(Adversity, anOldReportIsRefusedByTheSupervisorAndTold) {
 
 TEST_F(Adversity, anObstacleStopsTheVehicleAndItGoesOnWhenTheWayIsFree) {
   driveHalfAMetre();
-  scenario_.world().addObstacle({{Metres{0.30}, Metres{1.35}}, Metres{0.05}});
+  // As broad as somebody's legs: the rangers look straight ahead from the front corners, and what is thinner than 11 cm
+  // stands unseen between their cones at the stop distance.
+  scenario_.world().addObstacle({{Metres{0.30}, Metres{1.35}}, Metres{0.10}});
   expectSentence(EventKind::Obstacle);  // the report with it comes while it brakes, or when it has
   expectItStandsBy(scenario_.lockstep().now() + toBrake());
   EXPECT_NE(scenario_.view().waits, "") << "the operator is not told why it waits";

@@ -185,8 +185,8 @@ class Kinds(unittest.TestCase):
     def test_carried_runs_are_told_by_how_soon_they_are_found(self):
         results = [{"carried": {"found": True, "found_after_m": way, "wrongly_sure_s": 2}} for way in (0.5, 1.5)]
         results += [{"carried": {"found": False, "found_after_m": 0, "wrongly_sure_s": 5}}, {"error": "refused"}]
-        self.assertEqual(tables.row(["x"], "carried", results), "| x | 2/4 | 1.00 | 1.50 | 1/4 | 3.0 |")
-        self.assertEqual(tables.row(["x"], "carried", results[3:]), "| x | 0/1 | – | – | – | – |")
+        self.assertEqual(tables.row(["x"], "carried", results), "| x | 2/4 | 1.00 | 1.50 | 1/4 | 3.0 | 5.0 |")
+        self.assertEqual(tables.row(["x"], "carried", results[3:]), "| x | 0/1 | – | – | – | – | – |")
 
     def test_runs_that_gave_no_figures_count_as_not_finished(self):
         one = {"finished": True, "position_error_mean_m": 0.01, "position_error_max_m": 0.6, "cross_track_rms_m": 0.02}
