@@ -101,7 +101,7 @@ TABLES = [
     Table("asked-no-iron", "The same on a floor without iron", "limits", ["options", "odometer's noise"],
           asked(OURS), words=f"--vehicle native --lockstep {ASKED} --compass-spots 0", seeds=range(301, 401), baseline=True),
     Table("asked-carried", "The same, carried in the middle of the drive", "carried", ["options", "odometer's noise"],
-          asked(["--carry 20 --air 19200"]), words=f"--vehicle native --lockstep {ASKED}", seeds=range(1, 101), baseline=True),
+          asked(["--carry 20 --air 19200", "--carry 20 --air 19200 --readers 1"]), words=f"--vehicle native --lockstep {ASKED}", seeds=range(1, 101), baseline=True),
     Table("foretold", "Readers, polls and pitch against what was foretold", "limits", ["options", "foretold mean, cm"],
           [Row([f"`{words}`", figure], words) for words, figure in FORETOLD],
           words=f"--vehicle native --lockstep {ASKED} --speed-noise-time 0.05 --air 19200", baseline=True),

@@ -171,7 +171,7 @@ private:
   Episode obstacle_;
   Episode expired_;
   Episode lost_;
-  Episode doubted_;
+  Episode doubted_{Seconds{1.0}};
   Episode forged_{Seconds{5.0}};
   Episode replayed_{Seconds{5.0}};
   Episode strange_{Seconds{5.0}};

@@ -248,7 +248,7 @@ void VehicleAgent::watchPlace(EventLog& log) {
       log.tell(Severity::Info, EventKind::Lost, id(), phrase("Core", "%1 has found its place again.").with(name_),
                true);
   }
-  const Change doubt = doubted_.update(estimate_.doubted, Seconds{0});
+  const Change doubt = doubted_.update(estimate_.doubted, estimate_.at);
   if (doubt == Change::Begins)
     log.tell(Severity::Warning, EventKind::Doubted, id(),
              phrase("Core", "%1 read a tag that lies elsewhere: it goes on slowly until others tell where it is.")
