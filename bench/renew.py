@@ -2,7 +2,7 @@
 """Runs what stands behind the tables of docs/experiments.md and prints them as they stand there, then draws its charts.
 
   real      firmware in QEMU, in real time: some twenty-five minutes
-  lockstep  native vehicles in virtual time: some 4000 runs, 10 to 20 minutes on two cores
+  lockstep  native vehicles in virtual time: some 5300 runs, 10 to 20 minutes on two cores
 Without a second word: both. Results lie in out/experiments, a folder a table: runs.csv and a folder a run. Exit code 1
 when runs did not finish where they should have, 2 for a wrong command line.
 """
