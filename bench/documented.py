@@ -149,11 +149,12 @@ TABLES = [
 
 # Pictures that go with them: folder, tables that they are drawn from, the column that tells series apart, and the name in
 # docs/pictures of each that the document shows.
-# Pictures of single runs: where one lies in the folder of results, and its name beside the document.
-TRACKS = {"native/03-0.12/1/track.png": "track-0.12.png"}
 CHARTS = [
     ("locators", ["native", "tag-centre"], "estimator",
      {"errors.png": "experiments-errors.png", "speed.png": "experiments-speed.png"}),
     ("honesty", ["native"], "speed_m_per_s", {"nees.png": "experiments-nees.png"}),
     ("controllers", ["publication"], "controller", {"tracking.png": "experiments-controllers.png"}),
 ]
+
+# Pictures of single runs: where one lies in the folder of results, and its name beside the document.
+TRACKS = {"native/03-0.12/1/track.png": "track-0.12.png"}

@@ -23,13 +23,18 @@ void MainWindow::joinCalibration() {
   connect(
       survey_.get(), &ui::CompassSurvey::changed, this,
       [this] {
-        if (closesLater_ && !survey_->writes()) close();
+        if (!closesLater_ || survey_->writes()) return;
+        closesLater_ = false;
+        if (survey_->tone() == ui::Notice::Tone::Good)
+          close();
+        else
+          tell(survey_->message());
       },
       Qt::QueuedConnection);
 }
 
-// Half old, half new values would stay in the vehicle, and nobody else knows the old ones. Written or given up they are
-// within seconds, whether the vehicle answers or not.
+// Half old, half new values would stay in the vehicle, and nobody else knows the old ones. Where writing fails the
+// window stays, as only here they can be brought back.
 bool MainWindow::closesWhenWritten() {
   closesLater_ = survey_->writes();
   if (closesLater_) tell(tr("The compass' values are being written into the vehicle; then the window closes."));

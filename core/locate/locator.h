@@ -31,7 +31,7 @@ struct Estimate {
   MetresPerSecond speed;  ///< along the heading, after the correction of the odometer's scale
   RadiansPerSecond turnRate;
   bool located = false;  ///< false: unknown place, contradicted by reads, or too uncertain to drive by
-  bool doubted = false;  ///< located, but the last tag speaks for another place: the covariance reaches as far
+  bool doubted = false;  ///< located, but a tag speaks for another place: the covariance reaches as far
 
   /// Standard deviation of the place along its worst direction.
   [[nodiscard]] Metres positionSigma() const;

@@ -15,6 +15,7 @@ constexpr double kCloudStandingTurn = 0.15;  // rad within that time
 constexpr double kAdmitted = 1.0;            // s for which it says that it was wrong
 constexpr double kStartLead = 2.3;           // log; one contradiction alone proves nothing ...
 constexpr double kTakeOver = -2.0;           // ... a second one does that fits the first
+constexpr double kDoubtful = 0.05;           // chance of the rival from which on it says that it is in doubt
 constexpr double kDismiss = 6.0;             // and a rival that explains nothing is forgotten
 constexpr double kRivalBias = 0.35;          // rad; after being carried the compass settles again
 constexpr double kLeastChance = 2e-3;        // of a read under a belief: tags lie elsewhere than the map says
@@ -50,6 +51,7 @@ void ParticleLocator::contradicted(int reader, const Eigen::Vector2d& tag, doubl
   if (other >= options_.gate) {
     rival_.weighSeen(static_cast<std::size_t>(reader));
     rival_.resampleIfNeeded();
+    drawIn();
     // One tag that lies elsewhere than the map says is read by one reader after the other: that proves nothing.
     if (tag == rivalTag_) return;
     ++rivalReads_;
@@ -79,14 +81,15 @@ void ParticleLocator::judgeRival() {
   }
 }
 
-// The claim is that of both beliefs together, about the place that is told. It goes on driving, more slowly the farther
-// they lie apart: standing would not tell it which is right.
+// The claim is that of both beliefs together, about the place that the first of them tells. It goes on driving, more
+// slowly the farther they lie apart: standing would not tell it which is right.
 void ParticleLocator::doubt(Estimate& estimate) const {
   const double share = 1.0 / (1.0 + std::exp(lead_));
   const Eigen::Vector2d apart = rivalMoments_.mean.head<2>() - moments_.mean.head<2>();
   const Eigen::Matrix2d there = rivalMoments_.covariance.topLeftCorner<2, 2>() + apart * apart.transpose();
-  estimate.covariance.topLeftCorner<2, 2>() += 0.5 * share * (there + there.transpose());
-  estimate.doubted = estimate.located && lead_ <= kStartLead;
+  auto claim = estimate.covariance.topLeftCorner<2, 2>();
+  claim = (1.0 - share) * claim + 0.5 * share * (there + there.transpose());
+  estimate.doubted = estimate.located && share > kDoubtful;
 }
 
 void ParticleLocator::startFrom(int reader, const Eigen::Vector2d& tag, double at) {

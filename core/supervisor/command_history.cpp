@@ -38,7 +38,8 @@ void CommandHistory::put(Entry entry) {
   entries_.erase(entries_.begin(), std::find_if_not(entries_.begin(), entries_.end(), old));
 }
 
-// Whether an earlier one was taken no longer matters: the report that tells of this one was made after it.
+// Whether an earlier one was taken no longer matters: what is known comes from the report that tells of this one, which
+// was made after it.
 void CommandHistory::taken(std::uint32_t counter) {
   unanswered_ = std::max(kLeastUnanswered, unanswered_ - kLearning * unanswered_);
   const auto at = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.counter == counter; });
@@ -53,13 +54,23 @@ void CommandHistory::unanswered(std::uint32_t counter) {
 }
 
 bool CommandHistory::holdsAfter(Seconds at) const {
-  return !entries_.empty() && entries_.back().command && entries_.back().until > at;
+  return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.command && e.until > at; });
 }
 
-bool CommandHistory::changes(std::size_t index) const {
-  if (index == 0) return true;
-  const Entry& before = entries_[index - 1];
-  return !alike(entries_[index].command, before.command) || entries_[index].from > before.until;
+// Of those not acknowledged the newest that would not do what is surely in force anyway.
+std::vector<std::size_t> CommandHistory::open() const {
+  std::vector<std::size_t> found;
+  const Entry* sure = nullptr;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const Entry& e = entries_[i];
+    const bool alone = sure == nullptr || !alike(e.command, sure->command) || (e.command && e.from > sure->until);
+    if (e.fate != Fate::Taken && alone)
+      found.push_back(i);
+    else
+      sure = &e;
+  }
+  if (found.size() > kMostOpen) found.erase(found.begin(), found.end() - kMostOpen);
+  return found;
 }
 
 double CommandHistory::chanceOfLoss(const Entry& entry) const {
@@ -67,9 +78,7 @@ double CommandHistory::chanceOfLoss(const Entry& entry) const {
 }
 
 std::vector<CommandHistory::Case> CommandHistory::cases() const {
-  std::vector<std::size_t> open;
-  for (std::size_t i = entries_.size(); i-- > 0 && entries_[i].fate != Fate::Taken && open.size() < kMostOpen;)
-    if (changes(i)) open.push_back(i);
+  const std::vector<std::size_t> open = this->open();
   std::vector<Case> cases(std::size_t{1} << open.size());
   for (std::size_t number = 0; number < cases.size(); ++number) {
     Case& one = cases[number];

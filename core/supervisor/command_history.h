@@ -30,10 +30,10 @@ public:
   void unanswered(std::uint32_t counter);
   /// The vehicle has started anew: it knows no command.
   void clear() { entries_.clear(); }
-  /// Chances add up to 1; the first case is that nothing was lost. The only one where all that is open says what was in
-  /// force anyway; eight at most.
+  /// Chances add up to 1; the first case is that nothing was lost. One alone where no loss would change anything; eight
+  /// at most.
   [[nodiscard]] std::vector<Case> cases() const;
-  /// Something is in force after `at`, if nothing was lost.
+  /// Something may be in force after `at`.
   [[nodiscard]] bool holdsAfter(Seconds at) const;
 
 private:
@@ -47,7 +47,7 @@ private:
   };
 
   void put(Entry entry);
-  [[nodiscard]] bool changes(std::size_t index) const;
+  [[nodiscard]] std::vector<std::size_t> open() const;
   [[nodiscard]] double chanceOfLoss(const Entry& entry) const;
 
   std::vector<Entry> entries_;  ///< sorted by `from`

@@ -10,11 +10,11 @@ Expectation expectedOver(const drive::VehicleState& known, std::span<const Comma
   if (cases.size() == 1) return expected;
   // As differences from the first case: headings are means along the shorter way round.
   const drive::VehicleState first = expected.state;
-  std::vector<Eigen::Vector2d> away;
+  std::vector<Eigen::Vector2d> away{Eigen::Vector2d::Zero()};
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   double turn = 0.0;
-  double speed = 0.0;
-  for (const CommandHistory::Case& one : cases) {
+  double speed = cases.front().chance * first.speed.value();
+  for (const CommandHistory::Case& one : cases.subspan(1)) {
     const drive::VehicleState s = drive::predict(known, one.commands, until, ability);
     const Offset off = s.pose.position - first.pose.position;
     away.emplace_back(off.x.value(), off.y.value());

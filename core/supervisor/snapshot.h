@@ -96,7 +96,7 @@ struct VehicleView {
   wire::VehicleState state = wire::VehicleState::Standing;  ///< of the last report
   std::uint16_t faults = 0;                                 ///< wire::Fault bits of the last report
   bool located = false;
-  bool doubted = false;                ///< located, but the last tag speaks for another place
+  bool doubted = false;                ///< located, but a tag speaks for another place
   Pose pose;                           ///< estimate for the snapshot's time
   std::array<double, 9> covariance{};  ///< of x, y (m) and heading (rad), row by row
   Pose predicted;                      ///< where it will be when a command sent now takes effect

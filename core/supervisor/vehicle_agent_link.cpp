@@ -248,6 +248,7 @@ void VehicleAgent::watchPlace(EventLog& log) {
       log.tell(Severity::Info, EventKind::Lost, id(), phrase("Core", "%1 has found its place again.").with(name_),
                true);
   }
+  if (!estimate_.located) doubted_.forget();  // that says more
   const Change doubt = doubted_.update(estimate_.doubted, estimate_.at);
   if (doubt == Change::Begins)
     log.tell(Severity::Warning, EventKind::Doubted, id(),

@@ -5780,8 +5780,8 @@ x %2 m，y %3 m</translation>
         <translation>距下一指令 %1 秒，保持 %2 秒</translation>
     </message>
     <message>
-        <source>The last tag lies elsewhere.</source>
-        <translation>最近读到的标签在别处。</translation>
+        <source>A tag speaks for another place.</source>
+        <translation>有一个标签表明它可能在别处。</translation>
     </message>
 </context>
 <context>

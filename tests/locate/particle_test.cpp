@@ -180,7 +180,7 @@ TEST(Particles, sayThatTheyDoubtTheirPlaceAndHowFarFromTheFirstTagThatSpeaksForA
     const auto first = std::find_if(carried.begin(), carried.end(), [](const Sample& s) { return s.estimate.doubted; });
     if (first == carried.end()) continue;  // a second tag came with the same report and decided
     EXPECT_TRUE(wrong(*first)) << "seed " << seed;
-    EXPECT_GT(first->estimate.positionSigma(), Metres{0.08}) << "seed " << seed;
+    EXPECT_GT(first->estimate.positionSigma(), Metres{0.05}) << "seed " << seed;
     EXPECT_FALSE(carried.back().estimate.doubted) << "seed " << seed;
   }
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -37,7 +38,8 @@ TEST(CommandHistory, endsACommandWithAStopButProlongsNone) {
   EXPECT_EQ(history.cases().front().commands[0].until, Seconds{1.5});
   history.stand(Seconds{1.1}, 3);
   EXPECT_EQ(history.cases().front().commands[0].until, Seconds{1.1});
-  EXPECT_FALSE(history.holdsAfter(Seconds{1.0}));
+  EXPECT_TRUE(history.holdsAfter(Seconds{1.0})) << "until the Stop, and beyond if that is lost";
+  EXPECT_FALSE(history.holdsAfter(Seconds{1.5}));
 }
 
 TEST(CommandHistory, staysSortedWhenTheLatencyIsMeasuredAnew) {
@@ -83,6 +85,23 @@ TEST(CommandHistory, doesNotAskWhetherACommandWasLostThatChangesNothing) {
   history.drive(go(0.1, 0.01), Seconds{1.4}, Seconds{1.5}, 2);
   history.unanswered(2);
   EXPECT_EQ(history.cases().size(), 1U);
+}
+
+TEST(CommandHistory, takesARepeatedCommandForLostAsWellWhereTheFirstMayBe) {
+  CommandHistory history;
+  history.drive(go(0.1), Seconds{1.0}, Seconds{1.5}, 1);
+  history.taken(1);
+  for (std::uint32_t i = 2; i <= 3; ++i) {
+    history.drive(go(0.0, 1.0), Seconds{0.4 + 0.5 * i}, Seconds{1.5}, i);
+    history.unanswered(i);
+  }
+  const auto cases = history.cases();
+  ASSERT_EQ(cases.size(), 4U);
+  EXPECT_NEAR(sumOf(cases), 1.0, 1e-12);
+  const auto straightOn = [](const CommandHistory::Case& c) { return c.commands.size() == 1; };
+  const auto both = std::find_if(cases.begin(), cases.end(), straightOn);
+  ASSERT_NE(both, cases.end()) << "both lost: it drives on as before";
+  EXPECT_NEAR(both->chance, 0.25, 1e-12);
 }
 
 TEST(CommandHistory, learnsHowManyAreLost) {

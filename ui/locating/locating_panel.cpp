@@ -137,7 +137,7 @@ void LocatingPanel::showNumbers(const supervisor::LocatingView& view, const supe
                                           .arg(QString::fromStdString(view.locator)));
   set(Place, view.located ? pose(view.estimate) : unknown);
   const Ellipse95 ellipse = ellipseOf(view.covariance, 100.0 / kPerSigma95);  // cm, one deviation
-  set(Doubt, view.located ? (vehicle.doubted ? tr("The last tag lies elsewhere.") + QLatin1Char('\n') : QString{}) +
+  set(Doubt, view.located ? (vehicle.doubted ? tr("A tag speaks for another place.") + QLatin1Char('\n') : QString{}) +
                                 tr("%1 cm × %2 cm, %3°")
                                     .arg(number(ellipse.longAxis, 1), number(ellipse.shortAxis, 1),
                                          number(degrees(Radians{std::sqrt(std::max(0.0, view.covariance[8]))}), 1))
