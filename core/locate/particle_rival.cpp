@@ -87,7 +87,8 @@ void ParticleLocator::doubt(Estimate& estimate) const {
   const double share = 1.0 / (1.0 + std::exp(lead_));
   const Eigen::Vector2d apart = rivalMoments_.mean.head<2>() - moments_.mean.head<2>();
   const Eigen::Matrix2d there = rivalMoments_.covariance.topLeftCorner<2, 2>() + apart * apart.transpose();
-  // Added to what its own cloud says and not in place of a share of it, so that it stays a covariance with the heading's.
+  // Added to what its own cloud says and not in place of a share of it, so that it stays a covariance with the
+  // heading's.
   estimate.covariance.topLeftCorner<2, 2>() += 0.5 * share * (there + there.transpose());
   estimate.doubted = estimate.located && share > kDoubtful;
 }
