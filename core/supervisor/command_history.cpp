@@ -9,7 +9,7 @@ namespace tessera::supervisor {
 namespace {
 
 constexpr std::size_t kMostOpen = 3;   // that may or may not have been taken; older ones count as taken
-constexpr double kSameSpeed = 0.005;   // m/s; a command that differs by less from the one before changes nothing
+constexpr double kSameSpeed = 0.005;   // m/s; a command that differs by less from what is in force changes nothing
 constexpr double kSameHeading = 0.03;  // rad
 constexpr double kLearning = 1.0 / 32.0;
 constexpr double kLeastUnanswered = 0.02;

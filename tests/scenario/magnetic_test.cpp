@@ -14,10 +14,8 @@ constexpr Offset kAway{Metres{30.0}, Metres{30.0}};
 /// Both vehicles in turn on the same route of the publication's floor, over the same iron; the other one is out of the
 /// way meanwhile, carried back while it stands.
 struct OneAfterTheOther {
-  explicit OneAfterTheOther(std::uint64_t seed, bool byMap) {
-    setup.seed = seed;
+  OneAfterTheOther() {
     setup.world.compassSpots = 20.0;
-    setup.byMagneticMap = byMap;
     setup.assignments = {{kFirst, "paper"}, {kSecond, "paper"}};
     setup.change = [](floor::Site& site) {
       floor::VehicleSetup other = site.vehicles.front();
@@ -41,6 +39,7 @@ struct OneAfterTheOther {
     EXPECT_TRUE(scenario->until(Seconds{200}, [&] { return scenario->view(assignment).finished; }))
         << scenario->sentences();
   }
+
   ScenarioSetup setup;
   std::unique_ptr<Scenario> scenario;
 };
@@ -82,7 +81,7 @@ TEST(TheMagneticMap, letsAVehicleKnowItsHeadingBetterAfterOthersHaveDriven) {
 }
 
 TEST(TheMagneticMap, isLearnedWhetherVehiclesAreLocatedByItOrNot) {
-  const OneAfterTheOther run{1, false};
+  const OneAfterTheOther run;
   const auto& snapshot = run.scenario->lockstep().snapshot();
   ASSERT_NE(snapshot->magnetic, nullptr);
   EXPECT_GT(snapshot->magnetic->nodeCount(), 30U);

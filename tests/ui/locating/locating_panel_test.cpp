@@ -117,6 +117,15 @@ TEST_F(Locating, ShowsTheNumbersWithTheirUnits) {
   EXPECT_EQ(text("locatingError"), "(not seen)") << "real vehicles: nobody knows the truth";
 }
 
+TEST_F(Locating, SaysThatATagSpeaksForAnotherPlace) {
+  watch();
+  auto snapshot = watchedSnapshot(10.5, 1.0);
+  snapshot.vehicles[0].doubted = true;
+  fleet.show(snapshot);
+  EXPECT_TRUE(soon("locatingDoubt", "A tag speaks for another place.\n1.0 cm × 1.0 cm, 0.6°"));
+  look::take(panel, QStringLiteral("locating-doubt"));
+}
+
 TEST_F(Locating, JudgesTheReadsAndCountsAnew) {
   watch();
   std::vector<locate::Innovation> many;
