@@ -7,6 +7,7 @@
 
 #include "ui/canvas/dot_stamp.h"
 #include "ui/canvas/furniture.h"
+#include "ui/canvas/round_way_painter.h"
 #include "ui/canvas/route_painter.h"
 
 namespace tessera::ui {
@@ -137,7 +138,10 @@ void paintFloor(QImage& image, const View& view, const FloorScene& scene, const 
       paintRoute(painter, view, theme, route, RouteLook::Quiet);
     }
   }
-  if (chosen != nullptr && scene.withChosen) paintRoute(painter, view, theme, *chosen, RouteLook::Chosen);
+  if (chosen != nullptr && scene.withChosen) {
+    paintRoundWays(painter, view, theme, *chosen, scene.map->site().vehicles);
+    paintRoute(painter, view, theme, *chosen, RouteLook::Chosen);
+  }
   painter.end();
 }
 

@@ -6,6 +6,7 @@
 
 #include "ui/canvas/clip.h"
 #include "ui/canvas/readout.h"
+#include "ui/canvas/round_way_painter.h"
 #include "ui/canvas/route_painter.h"
 #include "ui/route/route_tool.h"
 
@@ -20,6 +21,7 @@ void RouteTool::paint(QPainter& painter, const CanvasScene& scene, const CanvasT
   painter.setRenderHint(QPainter::Antialiasing);
   if (const floor::Route* chosen = route()) {
     const floor::Route& shown = drag_ ? drag_->route : *chosen;
+    if (!isDrawing()) paintRoundWays(painter, scene.view, theme, shown, scene.map.site().vehicles);
     paintRoute(painter, scene.view, theme, shown, isDrawing() ? RouteLook::Quiet : RouteLook::Chosen);
     if (!isDrawing()) paintHandles(painter, scene, theme, shown);
   }

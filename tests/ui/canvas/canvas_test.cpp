@@ -5,6 +5,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
+#include <cmath>
 
 #include "canvas_site.h"
 #include "ui/canvas/floor_canvas.h"
@@ -133,6 +134,21 @@ TEST_F(CanvasUnderTest, FollowsAVehicleByDoubleClickUntilSomebodyPans) {
   EXPECT_TRUE(canvas.rect().adjusted(200, 140, -200, -140).contains(pixel(2.5, 0.5)));
   drag(Qt::MiddleButton, {400, 300}, {430, 300});
   EXPECT_FALSE(canvas.followed());
+}
+
+TEST_F(CanvasUnderTest, ShowsHowVehiclesRoundTheCornersOfTheChosenRoute) {
+  const auto colourInside = [&](double cut, const QString& chosen) {
+    floor::Site site = tiledSite(5, 4);
+    for (floor::VehicleSetup& vehicle : site.vehicles) vehicle.cornerCut = Metres{cut};
+    canvas.openMap(floor::SiteMap::build(site).value());
+    canvas.setSelectedRoute(chosen);
+    // Where an arc that leaves the corner at (2.0, 0.5) by 15 cm is nearest to it.
+    return picture().pixelColor(pixel(2.0 - 0.15 * std::sqrt(0.5), 0.5 + 0.15 * std::sqrt(0.5)));
+  };
+  const QColor floor = colourInside(0.0, "one");
+  EXPECT_NE(colourInside(0.15, "one"), floor);
+  EXPECT_EQ(colourInside(0.15, "two"), floor);
+  EXPECT_EQ(colourInside(0.05, "one"), floor) << "that arc lies nearer to the corner";
 }
 
 TEST_F(CanvasUnderTest, KeepsTheViewWhateverIsEditedAndFitsAnotherSite) {
