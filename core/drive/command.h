@@ -14,7 +14,7 @@ struct Command {
 };
 
 /// A command and the span in which it is (or is expected to be) in force on the vehicle, by the host's clock. `until`
-/// is where the next takes over or it expires; then the vehicle brakes and keeps its heading.
+/// is where the next takes over or it expires; then the vehicle brakes, turning no further.
 struct TimedCommand {
   Command command;
   Seconds from;
@@ -31,7 +31,9 @@ struct VehicleAbility {
   Seconds usualLag{0.03};        ///< ... and what the firmware's feed-forward leaves of it, for predictions
   double headingGain = 3.0;      ///< 1/s, of the vehicle's heading hold
   Radians fullSpeedError{0.17};  ///< up to this heading error it drives at the commanded speed ...
-  Radians turnFirstError{0.52};  ///< ... and from this one on it stands and turns
+  Radians turnFirstError{0.52};  ///< ... and from this one on it stands and turns ...
+  Radians turnedEnough{0.26};    ///< ... until no more than this is left
+  Metres track{0.30};            ///< between the driven wheels: with the acceleration, how soon it turns
   Metres cornerCut{0.0};         ///< by which it may leave a sharp corner; 0: it turns there on the spot
 };
 

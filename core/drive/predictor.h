@@ -17,10 +17,11 @@ struct VehicleState {
   Metres sigma;            ///< standard deviation of the place
   bool located = true;     ///< false: the controller stands still
   Radians headingSigma{};  ///< standard deviation of the heading
+  bool turning = false;    ///< it stands, or brakes, to be turned first
 };
 
 /// The state expected at `until`, when commands were in force as listed (sorted by `from`; a later one takes over from
-/// an earlier one; where none is in force the vehicle brakes and keeps its heading). Rolls 5 s at most; `until` before
+/// an earlier one; where none is in force the vehicle brakes and turns no further). Rolls 5 s at most; `until` before
 /// state.at returns the state as it is. Sigma grows with the distance rolled.
 [[nodiscard]] VehicleState predict(const VehicleState& state, std::span<const TimedCommand> commands, Seconds until,
                                    const VehicleAbility& ability);

@@ -69,10 +69,11 @@ drive::VehicleState VehicleAgent::state() const {
   return {estimate_.at,
           estimate_.pose,
           estimate_.speed,
-          estimate_.turnRate,
+          turnRate_,
           estimate_.positionSigma(),
           estimate_.located,
-          Radians{std::sqrt(std::max(0.0, estimate_.covariance(2, 2)))}};
+          Radians{std::sqrt(std::max(0.0, estimate_.covariance(2, 2)))},
+          last_ && last_->report.state == wire::VehicleState::Turning};
 }
 
 // A vehicle that stands and is told nothing is where it was; most of a large fleet is, most of the time.

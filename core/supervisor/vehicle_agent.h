@@ -145,6 +145,7 @@ private:
   std::optional<link::Reported> last_;
   locate::Estimate estimate_;             ///< at the last report
   std::optional<locate::Motion> motion_;  ///< of the last report
+  RadiansPerSecond turnRate_;             ///< then
   Odometer odometer_;
   CommandHistory history_;
   std::optional<drive::Decision> decision_;

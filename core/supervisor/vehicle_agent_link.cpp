@@ -7,6 +7,8 @@
 namespace tessera::supervisor {
 namespace {
 
+constexpr Radians kAsExpected{0.15};  // looking elsewhere, it did something else
+
 // What is heard on the air is one matter, whether the host or the vehicle noticed it.
 EventKind kindOf(std::uint16_t fault) {
   if (fault == wire::kFaultForged) return EventKind::ForgedFrames;
@@ -182,6 +184,7 @@ void VehicleAgent::take(const link::Disbelieved& e, Seconds now, EventLog& log) 
 }
 
 void VehicleAgent::take(const link::Reported& e, EventLog& log) {
+  const drive::VehicleState expected = expectedAt(e.sampledAt).state;
   last_ = e;
   motion_ = locate::Motion{e.sampledAt, odometer_.add(e.report.travel), MetresPerSecond{e.report.speed / 1000.0},
                            reportedHeading()};
@@ -191,6 +194,9 @@ void VehicleAgent::take(const link::Reported& e, EventLog& log) {
   takeTags(e, log);
   tellSilence(e);
   estimate_ = locator_->at(locator_->lastMotion());
+  // A report does not tell how fast it turns. Where it looks as was expected, it turns as was expected.
+  const bool asExpected = abs(turnBetween(expected.pose.heading, estimate_.pose.heading)) < kAsExpected;
+  turnRate_ = asExpected ? expected.turnRate : estimate_.turnRate;
   if (magnetic_) learner_.take(moved, estimate_, *magnetic_);
   watchPlace(log);
   watchState(e.receivedAt, log);

@@ -141,6 +141,7 @@ private:
   static drive::VehicleAbility ability(const LoopOptions& options) {
     drive::VehicleAbility ability;
     ability.usualLag = ability.lag;
+    ability.track = Metres{0.01};  // its turn rate follows without a ramp
     ability.cornerCut = Metres{options.cut};
     return ability;
   }

@@ -19,7 +19,8 @@ drive::VehicleAbility unicycleAbility() {
   drive::VehicleAbility ability;
   ability.lag = ability.usualLag = Seconds{kUnicycleLag};
   ability.maxTurnRate = RadiansPerSecond{2.5};
-  // It turns as it is told and is never slower for it.
+  // It turns as it is told, without a ramp, and is never slower for it.
+  ability.track = Metres{0.01};
   ability.fullSpeedError = ability.turnFirstError = Radians{kPi};
   return ability;
 }
