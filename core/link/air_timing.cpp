@@ -45,7 +45,9 @@ double AirTiming::unsteady() const {
 
 Seconds AirTiming::oneWayAtMost(std::size_t bytes) const {
   const double late = trips_.any() ? trips_.late().value() : 0.0;
-  return latency(bytes, upperFactor()) + delay() + Seconds{0.5 * (unsteady() + late)};
+  const Seconds measured = latency(bytes, upperFactor()) + delay() + Seconds{0.5 * (unsteady() + late)};
+  if (called_ <= 0.0) return measured;
+  return std::max(measured, latency(bytes, kSlowestFactor) + Seconds{0.5 * called_});
 }
 
 // Half of a trip's variance is one way's. An error of the factor shows as far as the frame differs from half a trip.
@@ -68,6 +70,7 @@ void AirTiming::measured(std::size_t sentBytes, std::size_t receivedBytes, Secon
   const Seconds fixed = latency(sentBytes, 0.0) + latency(receivedBytes, 0.0);
   const double air = wire::loRaAirtime(sentBytes, airRate_) + wire::loRaAirtime(receivedBytes, airRate_);
   trips_.measured(Seconds{air}, roundTrip - fixed);
+  if (trips_.any()) called_ = 0.0;
 }
 
 void AirTiming::called(std::size_t sentBytes, std::size_t receivedBytes, Seconds roundTrip) {

@@ -31,8 +31,8 @@ public:
 
   /// A frame and its answer have passed. roundTrip: from write to last byte read, less what the vehicle held it.
   void measured(std::size_t sentBytes, std::size_t receivedBytes, Seconds roundTrip);
-  /// A call and its answer have passed. Until a frame is measured this tells how long to wait; how long the vehicle
-  /// held it is not known, so it tells no more.
+  /// A call and its answer have passed. Until a frame is measured this tells how long to wait, also where the way has
+  /// become a longer one since the last frame; how long the vehicle held it is not known, so it tells no more.
   void called(std::size_t sentBytes, std::size_t receivedBytes, Seconds roundTrip);
   /// An answer stayed away though it was waited for, or came. Many misses make the slots longer: answers that collide
   /// cannot be measured. Answers shorten them again, slowly.
@@ -53,7 +53,7 @@ private:
   double airRate_;
   double byteTime_;
   TripModel trips_;
-  double called_ = 0.0;  // s of a call's round trip beyond the slowest module's
+  double called_ = 0.0;  // s of a call's round trip beyond the slowest module's; 0 once a frame is measured
   double stretch_ = 1.0;
   double missShare_ = 0.0;
 };

@@ -173,11 +173,11 @@ void Channel::departed(Turn::Kind kind, std::span<const std::size_t> peers, std:
 
 std::size_t Channel::sendCall(const Turn& turn, Seconds now, std::span<std::uint8_t> out) {
   Peer& peer = peers_[turn.peers[0]];
-  const std::size_t size = peer.session.hello(nonces_.next(), counter_, out);
+  const std::uint32_t nonce = nonces_.next();
+  const std::size_t size = peer.session.hello(nonce, counter_, out);
   peer.calls.failed(now);
   ++peer.callsMade;
-  peer.callBytes = size;
-  peer.calledAt = now;
+  peer.called.sent({nonce, size, now});
   departed(Turn::Kind::Call, std::span{turn.peers}.first(1), size, Seconds{}, now);
   return size;
 }

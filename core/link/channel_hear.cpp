@@ -37,6 +37,7 @@ void Channel::hear(const wire::Frame& frame) {
   std::visit(Overloaded{
                  [&](Disbelief why) { disbelieve(i, why); },
                  [&](const HeardIdentity& heard) { hearIdentity(i, heard, bytes); },
+                 [&](const HeardLate& heard) { timeCall(peers_[i], heard.hostNonce, bytes); },
                  [&](const HeardVersion& heard) {
                    came(i, std::nullopt);
                    events_.emplace_back(WrongVersion{vehicle, heard.protocol});
@@ -59,9 +60,7 @@ void Channel::came(std::size_t index, std::optional<std::uint16_t> ack) {
 
 void Channel::hearIdentity(std::size_t index, const HeardIdentity& heard, std::size_t frameBytes) {
   Peer& peer = peers_[index];
-  // It is the answer to the last call: an older one has another nonce.
-  if (peer.calledAt) timing_.called(peer.callBytes, frameBytes, lastByte_ - *peer.calledAt);
-  peer.calledAt.reset();
+  timeCall(peer, heard.identity.hostNonce, frameBytes);
   came(index, std::nullopt);
   peer.silent = false;
   peer.callsMade = 0;
@@ -77,9 +76,17 @@ void Channel::hearIdentity(std::size_t index, const HeardIdentity& heard, std::s
   events_.emplace_back(Identified{peer.session.vehicle(), heard.identity, heard.restarted});
 }
 
+// The nonce tells which call it answers, however many have left since. Calls that are repeated faster than answers can
+// come are all in vain, as the vehicle drops the session of each for the next one's: from the first answer on, however
+// late it was, each is given the time that this one has taken.
+void Channel::timeCall(Peer& peer, std::uint32_t nonce, std::size_t frameBytes) {
+  if (const auto call = peer.called.answered(nonce)) timing_.called(call->bytes, frameBytes, lastByte_ - call->at);
+}
+
 void Channel::hearHail(std::size_t index, const HeardHail& heard) {
   Peer& peer = peers_[index];
-  came(index, std::nullopt);
+  // A call is not answered with it: it answers an earlier probe then, and the call's own answer may be under way.
+  if (flight_ && flight_->kind != Turn::Kind::Call) came(index, std::nullopt);
   peer.silent = false;
   peer.callsMade = 0;
   peer.calls.reset(lastByte_);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "link/backoff.h"
 #include "link/session.h"
@@ -71,6 +72,28 @@ private:
   std::size_t at_ = 0;
 };
 
+/// The last calls to a vehicle, to time their answers even when they come after the call has been repeated. Holds those
+/// of more than 5 s, at 0.2 s from one to the next; later answers are not believed to tell the way's length.
+class SentCalls {
+public:
+  struct Call {
+    std::uint32_t nonce = 0;
+    std::size_t bytes = 0;  ///< 0: none, or its answer has come
+    Seconds at;
+  };
+  void sent(const Call& call) { ring_[at_++ % ring_.size()] = call; }
+  /// The call with this nonce; told once, as the same answer once more is a recording.
+  std::optional<Call> answered(std::uint32_t nonce) {
+    for (Call& c : ring_)
+      if (c.bytes > 0 && c.nonce == nonce) return std::exchange(c, {});
+    return std::nullopt;
+  }
+
+private:
+  std::array<Call, 32> ring_{};
+  std::size_t at_ = 0;
+};
+
 struct Peer {
   Peer(VehicleId id, const wire::Key& key, const std::optional<wire::Key>& offered = {}) : session{id, key, offered} {}
 
@@ -87,14 +110,13 @@ struct Peer {
   TagStream tags;
   Wish wish;
   SentCommands commands;
+  SentCalls called;
   LinkQuality quality;
   Backoff calls{Seconds{0.2}, Seconds{2.0}};
   unsigned callsMade = 0;             ///< since it was last heard
   bool silent = false;                ///< a session stands, its answers stay away
   bool urgent = false;                ///< a Stop or Clear that is not acknowledged yet
   unsigned urgentTries = 0;           ///< of this Stop or Clear
-  std::size_t callBytes = 0;          ///< of the last call
-  std::optional<Seconds> calledAt;    ///< when the last call left; nullopt: it is answered
   std::optional<Seconds> quietSince;  ///< last sign of life, or start of listening; for silence
   std::optional<Seconds> lastCycle;   ///< when it was last part of a Cycle
 };

@@ -31,7 +31,8 @@ Heard Session::hearIdentity(const wire::Sealed& sealed, bool underOffered) {
   const auto heard = wire::decodeIdentity(sealed.body);
   if (!heard) return Disbelief::Strange;
   // Each nonce is new, so an answer to another one is an old answer.
-  if (!nonce_ || heard->hostNonce != *nonce_) return session_ && !nonce_ ? Disbelief::Replayed : Disbelief::Stale;
+  if (session_ && !nonce_) return Disbelief::Replayed;
+  if (!nonce_ || heard->hostNonce != *nonce_) return HeardLate{heard->hostNonce};
   nonce_.reset();
   if (underOffered) adoptOffered();
   if (heard->protocol != wire::kProtocolVersion) {

@@ -19,7 +19,7 @@ enum class Disbelief : std::uint8_t {
   WrongKey,  ///< it answers a call, but not with the key that this host has for it
   Forged,    ///< its MAC fits nothing while a session stands
   Replayed,  ///< genuine, but seen before in this session, or of an earlier meeting
-  Stale,     ///< genuine answer to a call that has been repeated since; harmless
+  Stale,     ///< of a session or a pairing that is over; harmless
   Strange,   ///< well authenticated or too short to be, and makes no sense
 };
 
@@ -27,6 +27,11 @@ struct HeardIdentity {
   wire::Identity identity;
   bool first = false;      ///< the first session with it at all
   bool restarted = false;  ///< it has started anew since the last session
+};
+/// A genuine answer to a call that has been repeated since. It opens nothing: the vehicle keeps only the session that
+/// the last call has prepared, and the answer may be a recording. But it tells how long a call and its answer take.
+struct HeardLate {
+  std::uint32_t hostNonce = 0;
 };
 struct HeardVersion {  ///< genuine, but of another version of the protocol: no session
   std::uint8_t protocol = 0;
@@ -44,7 +49,8 @@ struct HeardValue {
 struct HeardPaired {  ///< genuine, under the key that the vehicle has now
   wire::Outcome outcome = wire::Outcome::Done;
 };
-using Heard = std::variant<Disbelief, HeardIdentity, HeardVersion, HeardHail, HeardReport, HeardValue, HeardPaired>;
+using Heard =
+    std::variant<Disbelief, HeardIdentity, HeardLate, HeardVersion, HeardHail, HeardReport, HeardValue, HeardPaired>;
 
 /// How the giving of another key to the vehicle has ended.
 enum class PairingEnd : std::uint8_t {

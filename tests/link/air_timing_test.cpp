@@ -111,6 +111,18 @@ TEST(AirTiming, waitsAsLongAsACallHasTakenUntilAFrameIsMeasured) {
   EXPECT_LE(timing.oneWayAtMost(22) + timing.oneWayAtMost(58), before);
 }
 
+TEST(AirTiming, waitsAsLongAsACallHasTakenSinceAFrameWasMeasured) {
+  AirTiming timing{19200, 115200};
+  measureDelayed(timing, 0.0, 0.0, 50);
+  const Seconds before = timing.oneWayAtMost(22) + timing.oneWayAtMost(58);
+  timing.called(21, 30, Seconds{0.1});
+  EXPECT_EQ(timing.oneWayAtMost(22) + timing.oneWayAtMost(58), before);
+  timing.called(21, 30, Seconds{1.0});
+  EXPECT_GE(timing.oneWayAtMost(22) + timing.oneWayAtMost(58), Seconds{1.0});
+  measureDelayed(timing, 0.0, 0.0, 1);
+  EXPECT_LE(timing.oneWayAtMost(22) + timing.oneWayAtMost(58), 1.2 * before);
+}
+
 TEST(AirTiming, survivesMeasurementsThatMakeNoSense) {
   AirTiming timing{19200, 115200};
   timing.measured(22, 40, Seconds{-5.0});

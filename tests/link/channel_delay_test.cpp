@@ -11,6 +11,7 @@ namespace {
 
 using test::ChannelRig;
 using test::FakeAir;
+using test::FakeVehicle;
 
 struct DelayCase {
   std::uint8_t vehicles;
@@ -141,6 +142,83 @@ TEST(DelayedLink, isFollowedWhenItsDelayComesAndGoes) {
     EXPECT_LE(std::abs(tooLate(rig.all<Reported>().back())), 5) << delay;
     EXPECT_NEAR(rig.channel->timing().delay().value(), delay, 0.006) << delay;
   }
+}
+
+// Before the first answer nobody knows of the delay, and calls are repeated faster than answers can come.
+class ALinkSlowerThanItsCalls : public ::testing::TestWithParam<double> {};
+
+TEST_P(ALinkSlowerThanItsCalls, isGivenTheTimeToAnswerTheLastOne) {
+  const Seconds roundTrip{2 * GetParam() + 0.3};
+  ChannelRig rig{1, optionsOf({1, 19200, 1.8, 0.0, GetParam()})};
+  ASSERT_TRUE(rig.runUntil([&] { return rig.connected(); }, 4.0 * roundTrip));
+  rig.drive(1);
+  ASSERT_TRUE(reportsCome(rig, 10));
+  EXPECT_EQ(rig.count<Identified>(), 1U);
+  EXPECT_EQ(rig.peer(1).quality.missed, 0U);
+  EXPECT_EQ(rig.peer(1).quality.replayed, 0U);
+  EXPECT_NEAR(rig.channel->timing().delay().value(), GetParam(), 0.01);
+}
+
+TEST_P(ALinkSlowerThanItsCalls, connectsWhateverIsLost) {
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    FakeAir::Options options = optionsOf({1, 19200, 1.8, 0.2, GetParam()});
+    options.jitter = Seconds{0.05};
+    options.seed = seed;
+    ChannelRig rig{1, options};
+    EXPECT_TRUE(rig.runUntil([&] { return rig.count<Reported>() > 0; }, Seconds{60})) << seed;
+  }
+}
+
+TEST_P(ALinkSlowerThanItsCalls, isFoundAgainWhenTheVehicleStartsAnewAndTheDelayHasGrownMeanwhile) {
+  ChannelRig rig{1, optionsOf({1, 19200, 1.8, 0.0, 0.0})};
+  ASSERT_TRUE(rig.runUntil([&] { return rig.connected(); }, Seconds{20}));
+  rig.drive(1);
+  ASSERT_TRUE(reportsCome(rig, 50));
+  rig.fake(1).on = false;
+  rig.run(Seconds{10});
+  rig.air->options().delayThere = rig.air->options().delayBack = Seconds{GetParam()};
+  rig.fake(1).restart();
+  rig.fake(1).on = true;
+  EXPECT_TRUE(rig.runUntil([&] { return rig.count<Identified>() == 2; }, Seconds{30}));
+  EXPECT_TRUE(reportsCome(rig, 10));
+}
+
+// What the vehicle answers to a probe before any session.
+FakeAir::Bytes hailOf(FakeVehicle vehicle) {
+  wire::CycleWriter writer{10, 1};
+  writer.add({vehicle.address, wire::CommandMode::Poll, 0, 0, 0, 0}, vehicle.key);
+  std::array<std::uint8_t, wire::kMaxFrame> probe{};
+  const std::size_t size = writer.finish(probe);
+  FakeAir::Bytes hail;
+  wire::FrameDecoder decoder;
+  decoder.feed(wire::Bytes{probe}.first(size),
+               [&](const wire::Frame& f) { hail = vehicle.hear(f, Seconds{1})->bytes; });
+  return hail;
+}
+
+// As the answers to earlier probes do, or a stranger who plays one of them back.
+TEST_P(ALinkSlowerThanItsCalls, isWaitedForWhateverHailsComeMeanwhile) {
+  ChannelRig rig{1, optionsOf({1, 19200, 1.8, 0.0, GetParam()})};
+  const FakeAir::Bytes hail = hailOf(rig.fake(1));
+  for (int i = 1; i < 100; ++i) rig.air->inject(hail, rig.air->now + i * Seconds{0.17});
+  EXPECT_TRUE(rig.runUntil([&] { return rig.count<Identified>() > 0; }, Seconds{15}));
+}
+
+INSTANTIATE_TEST_SUITE_P(Delays, ALinkSlowerThanItsCalls, ::testing::Values(0.6, 0.8, 1.0, 1.5, 2.0));
+
+TEST(DelayedLink, isNeitherOpenedNorTimedByARecordedAnswer) {
+  ChannelRig rig{1, optionsOf({1, 19200, 1.8, 0.0, 0.6})};
+  unsigned answers = 0;
+  rig.air->tamper = [&](FakeAir::Bytes bytes) { return ++answers == 1 ? bytes : FakeAir::Bytes{}; };
+  rig.run(Seconds{3});
+  ASSERT_GT(answers, 1U);
+  ASSERT_FALSE(rig.connected());
+  const Seconds delay = rig.channel->timing().delay();
+  ASSERT_GT(delay, Seconds{0.4});
+  rig.air->inject(rig.air->vehicleFrames.front().second, rig.air->now + Seconds{0.1});
+  rig.run(Seconds{3});
+  EXPECT_FALSE(rig.connected());
+  EXPECT_EQ(rig.channel->timing().delay(), delay);
 }
 
 // Nothing on the wire tells more; a host that knew better would have to be told.

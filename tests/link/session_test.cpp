@@ -75,11 +75,28 @@ TEST_F(SessionTest, refusesAnotherVersionOfTheProtocol) {
   EXPECT_FALSE(session.open());
 }
 
-TEST_F(SessionTest, takesAnAnswerToARepeatedCallForStale) {
+// The vehicle has dropped the session that it prepared for the first call, so a host that opened it would be alone
+// there.
+TEST_F(SessionTest, opensNothingByAnAnswerToARepeatedCallButSaysWhichOneItAnswers) {
   const auto first = call();
   const auto second = call();
-  EXPECT_EQ(std::get<Disbelief>(hear(first)), Disbelief::Stale);
+  const Heard late = hear(first);
+  ASSERT_TRUE(std::holds_alternative<HeardLate>(late));
+  EXPECT_EQ(std::get<HeardLate>(late).hostNonce, 101U);
+  EXPECT_FALSE(session.open());
   EXPECT_TRUE(std::holds_alternative<HeardIdentity>(hear(second)));
+  EXPECT_TRUE(std::holds_alternative<HeardReport>(hear(poll())));
+}
+
+TEST_F(SessionTest, opensNothingByARecordedIdentityWhileACallIsUnderWay) {
+  const auto recorded = call();
+  hear(recorded);
+  hear(poll());
+  vehicle.on = false;
+  call();
+  EXPECT_TRUE(std::holds_alternative<HeardLate>(hear(recorded)));
+  vehicle.on = true;
+  EXPECT_TRUE(std::holds_alternative<HeardReport>(hear(poll()))) << "the standing session has ended";
 }
 
 TEST_F(SessionTest, refusesARecordedIdentity) {

@@ -54,6 +54,20 @@ TEST_P(ALinkWithDelay, doesNotMoveTheEstimateAlongTheWay) {
 
 INSTANTIATE_TEST_SUITE_P(Seconds, ALinkWithDelay, testing::Values(0.05, 0.3, 0.5));
 
+// Calls are repeated faster than answers come; seeds 2, 3 and 5 once never met their vehicle for that.
+TEST(ALinkWithALongDelay, isConnectedAndDrivenWhateverTheSeed) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    ScenarioSetup setup;
+    setup.seed = seed;
+    setup.world.delay = 1.0;
+    Scenario scenario{setup};
+    ASSERT_TRUE(scenario.until(Seconds{15}, [&] { return scenario.eventCount(EventKind::Identified) > 0; })) << seed;
+    scenario.orderRoutes();
+    EXPECT_TRUE(scenario.until(Seconds{60}, [&] { return scenario.view().progress > Metres{1.0}; }))
+        << seed << scenario.sentences();
+  }
+}
+
 TEST(AWrongKey, isToldAndTheVehicleStaysWhereItIs) {
   ScenarioSetup setup;
   setup.wrongKey = true;
