@@ -143,7 +143,7 @@ TABLES = [
     Table("slow-floors", "Diagonal and curved routes at 2.4 kbit/s, as modules are delivered", "floor", ["floor and route"],
           [Row([name], f"--floor {number}") for name, number in tables.FLOORS if "route" in name],
           words="--vehicle native --lockstep --air 2400", baseline=True),
-    Table("corners", "Corners on the spot and rounded at 2.4 kbit/s, as modules are delivered", "drive", ["m/s", "cut, cm"],
+    Table("corners", "Corners on the spot and rounded at 2.4 kbit/s, as modules are delivered", "limits", ["m/s", "cut, cm"],
           [Row([speed, f"{100 * float(cut):.0f}"], f"--speed {speed} --corner-cut {cut}") for speed in ("0.12", "0.50")
            for cut in ("0", "0.05", "0.15")], words="--vehicle native --lockstep --air 2400", baseline=True),
 ]

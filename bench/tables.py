@@ -22,6 +22,10 @@ def finished(figures, of):
     return f"{sum(f['finished'] for f in figures)}/{of}"
 
 
+def honesty(figures):
+    return [f"{mean([f['nees_mean'] for f in figures]):.2f}", f"{sum(f['consistent'] for f in figures)}/{len(figures)}"]
+
+
 def drive(figures, of):
     return [finished(figures, of), cm(figures, "position_error_mean_m", mean), cm(figures, "position_error_mean_m", max),
             cm(figures, "position_error_p95_m", max), cm(figures, "cross_track_rms_m", mean),
@@ -33,14 +37,14 @@ def limits(figures, of):
     return [finished(figures, of), cm(figures, "position_error_mean_m", mean), cm(figures, "position_error_mean_m", max),
             cm(figures, "cross_track_rms_off_corners_m", mean), cm(figures, "cross_track_max_off_corners_m", max),
             cm(figures, "end_error_m", max), f"{sum(f['reversals'] for f in figures)}",
-            f"{mean([f['nees_mean'] for f in figures]):.2f}", f"{sum(f['consistent'] for f in figures)}/{len(figures)}",
-            f"{mean([f['mean_speed_ratio'] for f in figures]):.2f}", f"{min(f['mean_speed_ratio'] for f in figures):.2f}"]
+            *honesty(figures), f"{mean([f['mean_speed_ratio'] for f in figures]):.2f}", f"{min(f['mean_speed_ratio'] for f in figures):.2f}"]
 
 
 def floor(figures, of):
     return [finished(figures, of), cm(figures, "position_error_mean_m", mean), cm(figures, "position_error_mean_m", max),
             cm(figures, "position_error_max_m", max), cm(figures, "cross_track_rms_m", mean),
-            cm(figures, "cross_track_rms_m", max), f"{sum(f['position_error_max_m'] > DIVERGED for f in figures)}"]
+            cm(figures, "cross_track_rms_m", max), *honesty(figures),
+            f"{sum(f['position_error_max_m'] > DIVERGED for f in figures)}"]
 
 
 def carried(figures, of):
@@ -69,7 +73,7 @@ KINDS = {
                        " largest, worst seed | off the end, worst seed | reversals | NEES (2 is honest) |"
                        " consistent runs | mean speed ratio | worst seed"),
     "floor": (floor, "finished | position error mean, cm | worst seed | largest at any time, worst seed |"
-                     " cross-track RMS, cm | worst seed | diverged"),
+                     " cross-track RMS, cm | worst seed | NEES (2 is honest) | consistent runs | diverged"),
     "carried": (carried, "found again | after, m | the longest way, m | within 1 m | sure of a wrong place, s | the longest, s"),
     "split": (split, "across, off corners | largest true | along, at the end | across, at the end | within 1 cm of the end |"
                      " worst"),

@@ -189,8 +189,9 @@ class Kinds(unittest.TestCase):
         self.assertEqual(tables.row(["x"], "carried", results[3:]), "| x | 0/1 | – | – | – | – | – |")
 
     def test_runs_that_gave_no_figures_count_as_not_finished(self):
-        one = {"finished": True, "position_error_mean_m": 0.01, "position_error_max_m": 0.6, "cross_track_rms_m": 0.02}
-        self.assertEqual(tables.row(["x"], "floor", [one, {"error": "refused"}]), "| x | 1/2 | 1.00 | 1.00 | 60.00 | 2.00 | 2.00 | 1 |")
+        one = {"finished": True, "position_error_mean_m": 0.01, "position_error_max_m": 0.6, "cross_track_rms_m": 0.02,
+               "nees_mean": 2.1, "consistent": True}
+        self.assertEqual(tables.row(["x"], "floor", [one, {"error": "refused"}]), "| x | 1/2 | 1.00 | 1.00 | 60.00 | 2.00 | 2.00 | 2.10 | 1/1 | 1 |")
 
     def test_a_tables_head_has_as_many_columns_as_its_rows(self):
         for kind in tables.KINDS:
