@@ -51,6 +51,7 @@ nlohmann::json optionsOf(const ExperimentWords& words, const ExperimentPlan& pla
                          {"vehicle", words.kind},
                          {"speed_m_per_s", words.speed},
                          {"seed", words.world.seed},
+                         {"floor_seed", words.world.floorSeed.value_or(words.world.seed)},
                          {"lockstep", words.lockstep},
                          {"estimator", nameOr(words.estimator, locate::locatorNames())},
                          {"controller", nameOr(words.controller, drive::followerNames())},
@@ -58,10 +59,15 @@ nlohmann::json optionsOf(const ExperimentWords& words, const ExperimentPlan& pla
                          {"air_factor", words.world.airFactor},
                          {"loss", words.world.loss},
                          {"delay_s", words.world.delay},
+                         {"corrupt", words.world.corrupt},
+                         {"drop", words.world.drop},
+                         {"replay", words.world.replay},
                          {"dead_tags", words.world.deadTags.value_or(0.0)},
                          {"carry_s", words.carry},
-                         {"limit_s", words.limit},
-                         {"magnetic_map", words.magneticMap}};
+                         {"limit_s", plan.limit.value()},
+                         {"magnetic_map", words.magneticMap},
+                         {"eeprom_dir", words.world.eepromDir},
+                         {"firmware", words.world.firmware}};
   if (const auto* setup = plan.map->vehicle(plan.assignments.front().vehicle)) {
     const sim::BodyParameters body = world::bodyFor(*setup, words.world);
     options["corner_cut_m"] = setup->cornerCut.value();

@@ -43,8 +43,9 @@ struct ExperimentPlan {
 
 /// Error: a file that is no site, a route or vehicle that it does not have, or a method that nobody knows.
 [[nodiscard]] Result<ExperimentPlan> planOf(const ExperimentWords& words);
-/// Every option of the run by its name in summary.json, whether it was told or not. As they are told: a limit_s of 0
-/// lets the run find its own, a carry_s of 0 carries nothing, an empty magnetic_map is none.
+/// Every option of the run by its name in summary.json, whether it was told or not, with the figure in force. As they
+/// are told: a carry_s of 0 carries nothing, an empty magnetic_map or eeprom_dir is none, an empty firmware is the one
+/// that comes with the program.
 [[nodiscard]] nlohmann::json optionsOf(const ExperimentWords& words, const ExperimentPlan& plan);
 
 }  // namespace tessera::cli

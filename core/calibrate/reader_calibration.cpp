@@ -238,6 +238,22 @@ private:
 
 }  // namespace
 
+bool isDetermined(const CalibratedReader& reader) {
+  return std::max(reader.sigmaAhead, reader.sigmaAside) < kUndetermined;
+}
+
+Lacking lacking(const DriveRecord& drive, const Calibration& found) {
+  if (drive.turned() < Radians{kFewestHalfTurns * kPi}) return Lacking::Turns;
+  // A reader that reads nothing at all keeps no other waiting.
+  int known = 0;
+  for (const CalibratedReader& reader : found.readers) {
+    if (!isDetermined(reader)) continue;
+    if (std::max(reader.sigmaAhead, reader.sigmaAside) >= kWellKnown) return Lacking::Drive;
+    ++known;
+  }
+  return known > 0 ? Lacking::Nothing : Lacking::Drive;
+}
+
 Result<Calibration> calibrateReaders(const DriveRecord& drive, const floor::VehicleSetup& setup,
                                      const CalibrationOptions& options) {
   const std::vector<Visit> visits = visitsOf(drive, setup, options.readLag);

@@ -42,6 +42,18 @@ struct CalibrationOptions {
 inline constexpr int kFewestCalibrationReads = 20;
 /// A reader's offset that is known no better than this was not told by the drive: it never turned, or hardly read.
 inline constexpr Metres kUndetermined{0.02};
+/// Known better than this, an offset is worth entering. Readers share the way driven: early in a drive all of them are
+/// off together, so that they agree says nothing.
+inline constexpr Metres kWellKnown{0.008};
+inline constexpr double kWellKnownScale = 0.01;
+/// Half turns before a drive tells offsets apart from the way.
+inline constexpr int kFewestHalfTurns = 3;
+
+/// What a drive still lacks before its offsets are worth entering.
+enum class Lacking { Nothing, Turns, Drive };
+[[nodiscard]] Lacking lacking(const DriveRecord& drive, const Calibration& found);
+/// The drive tells of this reader's offset.
+[[nodiscard]] bool isDetermined(const CalibratedReader& reader);
 
 /// setup: as it stands in the site. Error: too few reads, or a drive from which nothing can be told.
 [[nodiscard]] Result<Calibration> calibrateReaders(const DriveRecord& drive, const floor::VehicleSetup& setup,

@@ -3842,10 +3842,6 @@
         </translation>
     </message>
     <message>
-        <source>Offsets are told apart from the way by turning: let it turn more.</source>
-        <translation>靠转弯才能区分偏移与路程：请多转弯。</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>暂停</translation>
     </message>
@@ -3924,6 +3920,18 @@
     <message>
         <source>What was found, beside what is entered</source>
         <translation>结果与输入值</translation>
+    </message>
+    <message>
+        <source>Not known well enough yet: let it make %1 half turns at least.</source>
+        <translation>还不够准确：请至少转过 %1 个半圈。</translation>
+    </message>
+    <message>
+        <source>Not known well enough yet: drive on until the offsets&apos; deviations are below ± %1 mm.</source>
+        <translation>还不够准确：请继续行驶，直到位置的标准差低于 ± %1 mm。</translation>
+    </message>
+    <message>
+        <source>Wheels not known well enough yet: drive on until their deviation is below ± %1 mm.</source>
+        <translation>车轮还不够准确：请继续行驶，直到其标准差低于 ± %1 mm。</translation>
     </message>
 </context>
 <context>

@@ -172,6 +172,30 @@ TEST(ReaderCalibration, saysThatADriveStraightOnTellsNothingOfOffsets) {
   for (const auto& reader : result->readers) EXPECT_GT(reader.sigmaAhead, calibrate::kUndetermined);
 }
 
+TEST(ReaderCalibration, saysWhatADriveLacksUntilItsOffsetsAreWorthEntering) {
+  using calibrate::Lacking;
+  const calibrate::CalibratedReader well{{}, Metres{0.006}, Metres{0.007}, 40};
+  const calibrate::CalibratedReader poor{{}, Metres{0.006}, Metres{0.009}, 12};
+  const calibrate::CalibratedReader dead{{}, Metres{0.05}, Metres{0.05}, 0};
+  const auto found = [](std::vector<calibrate::CalibratedReader> readers) {
+    calibrate::Calibration result;
+    result.readers = std::move(readers);
+    return result;
+  };
+  DriveRecord turned;
+  for (int n = 0; n < 20; ++n) {
+    EXPECT_EQ(lacking(turned, found({well, well})), Lacking::Turns) << n;
+    locate::Motion motion;
+    motion.at = Seconds{0.2 * n};
+    motion.heading = Radians{0.5 * n};
+    turned.add(motion);
+  }
+  EXPECT_EQ(lacking(turned, found({well, well})), Lacking::Nothing);
+  EXPECT_EQ(lacking(turned, found({well, poor})), Lacking::Drive) << "all of them, or the record of the other is lost";
+  EXPECT_EQ(lacking(turned, found({well, dead})), Lacking::Nothing) << "for that one nobody waits";
+  EXPECT_EQ(lacking(turned, found({dead, dead})), Lacking::Drive);
+}
+
 TEST(ReaderCalibration, asksForMoreReads) {
   const auto result = calibrateReaders({}, paperVehicle(2));
   ASSERT_FALSE(result);

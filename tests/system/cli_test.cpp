@@ -188,18 +188,36 @@ TEST(Json, isAllThatStandsOnStandardOutput) {
   EXPECT_EQ(summary["finished"], true);
   EXPECT_GT(summary["channel"]["cycle_s"], 0.0);
   // Every option of the world is a field of its own, also where it was not given.
-  for (const char* option : {"compass_spots_deg", "dead_tags", "read_time_s", "heading_learning_m", "true_radius_m"})
+  for (const char* option : {"compass_spots_deg", "dead_tags", "read_time_s", "heading_learning_m", "true_radius_m",
+                             "floor_seed", "corrupt", "drop", "replay", "eeprom_dir", "firmware"})
     EXPECT_TRUE(summary["options"].contains(option)) << option;
   EXPECT_EQ(summary["options"]["compass_spots_deg"], 10.0);
   EXPECT_EQ(summary["options"]["corner_cut_m"], 0.0) << "it turns on the spot";
   EXPECT_EQ(summary["options"]["carry_s"], 0.0);
-  EXPECT_EQ(summary["options"]["limit_s"], 0.0) << "by itself";
+  EXPECT_EQ(summary["options"]["floor_seed"], summary["options"]["seed"]) << "the same chance";
+  EXPECT_NEAR(summary["options"]["limit_s"], 70.0, 1e-6) << "three times the drive of a metre, and 60 s";
   EXPECT_EQ(summary["options"]["magnetic_map"], "");
   const std::string map = folder.filePath("iron.map").toStdString();
-  const auto told = parsed(
-      {"experiment", kCorner, "--route", "corner", "--speed", "0.3", "--lockstep", "--json", "--out",
-       folder.path().toStdString(), "--carry", "1000", "--limit", "90", "--corner-cut", "0.1", "--magnetic-map", map},
-      cli::kDone);
+  const auto told = parsed({"experiment",     kCorner,
+                            "--route",        "corner",
+                            "--speed",        "0.3",
+                            "--lockstep",     "--json",
+                            "--out",          folder.path().toStdString(),
+                            "--carry",        "1000",
+                            "--limit",        "90",
+                            "--corner-cut",   "0.1",
+                            "--magnetic-map", map,
+                            "--floor-seed",   "7",
+                            "--corrupt",      "0.001",
+                            "--drop",         "0.002",
+                            "--replay",       "0.003",
+                            "--eeprom-dir",   folder.path().toStdString()},
+                           cli::kDone);
+  EXPECT_EQ(told["options"]["floor_seed"], 7);
+  EXPECT_EQ(told["options"]["corrupt"], 0.001);
+  EXPECT_EQ(told["options"]["drop"], 0.002);
+  EXPECT_EQ(told["options"]["replay"], 0.003);
+  EXPECT_EQ(told["options"]["eeprom_dir"], folder.path().toStdString());
   EXPECT_EQ(told["options"]["corner_cut_m"], 0.1);
   EXPECT_EQ(told["options"]["carry_s"], 1000.0);
   EXPECT_EQ(told["options"]["limit_s"], 90.0);

@@ -2,7 +2,6 @@
 
 #include <QHeaderView>
 #include <QLocale>
-#include <algorithm>
 
 #include "ui/base/icon.h"
 #include "ui/base/wording.h"
@@ -12,7 +11,6 @@ namespace tessera::ui {
 namespace {
 
 constexpr double kMmPerM = 1000.0;
-constexpr int kEnoughTurns = 3;  // half turns, before a drive tells of offsets
 
 }  // namespace
 
@@ -34,6 +32,7 @@ void CalibratePanel::build() {
   accept_ = orderButton(this, "acceptCalibration", "check");
   wheels_ = new QCheckBox{this};
   wheels_->setObjectName(QStringLiteral("acceptWheels"));
+  missing_ = sentenceLabel(this, "calibrateMissing");
   table_ = new QTableWidget{0, Columns, this};
   table_->setObjectName(QStringLiteral("calibrateTable"));
   table_->verticalHeader()->hide();
@@ -56,7 +55,7 @@ void CalibratePanel::build() {
   left->addStretch();
   auto* last = new QHBoxLayout;
   last->addWidget(wheels_);
-  last->addStretch();
+  last->addWidget(missing_, 1);
   last->addWidget(accept_);
   auto* right = new QVBoxLayout;
   right->addWidget(table_, 1);
@@ -91,9 +90,22 @@ void CalibratePanel::accept() {
   if (const auto done = work_.accept(wheels_->isChecked()); !done) Q_EMIT refused(text(done.error().sentence));
 }
 
-bool CalibratePanel::tells() const {
+QString CalibratePanel::whatIsMissing() const {
   const auto* result = work_.result();
-  return result != nullptr && std::any_of(result->readers.begin(), result->readers.end(), isDetermined);
+  if (result == nullptr || work_.setup() == nullptr) return {};
+  const QLocale locale;
+  switch (calibrate::lacking(work_.drive(), *result)) {
+    case calibrate::Lacking::Turns:
+      return tr("Not known well enough yet: let it make %1 half turns at least.").arg(calibrate::kFewestHalfTurns);
+    case calibrate::Lacking::Drive:
+      return tr("Not known well enough yet: drive on until the offsets' deviations are below ± %1 mm.")
+          .arg(locale.toString(kMmPerM * calibrate::kWellKnown.value(), 'f', 1));
+    case calibrate::Lacking::Nothing:
+      break;
+  }
+  if (work_.areWheelsReady()) return {};
+  return tr("Wheels not known well enough yet: drive on until their deviation is below ± %1 mm.")
+      .arg(locale.toString(kMmPerM * work_.setup()->wheelDiameter.value() * calibrate::kWellKnownScale, 'f', 2));
 }
 
 QString CalibratePanel::whatNow() const {
@@ -105,12 +117,12 @@ QString CalibratePanel::whatNow() const {
     return tr(
         "Draw the figure, or choose a route that crosses the rows of tags at a slant and turns often. Then press "
         "Record and run the vehicle along it, slowly (0.12 m/s).");
-  if (work_.isRecording() && !tells())
+  if (work_.isRecording() && !work_.isReady())
     return tr("Run the vehicle along the route. Each tag that it reads tells a bit more.");
   if (work_.isRecording())
     return tr("Drive on until the deviations are small enough, then enter the values into the site.");
-  return tells() ? tr("Compare the values. They are entered into the site as one step that can be undone.")
-                 : tr("The drive was too short, or turned too little: press Record and go on.");
+  return work_.isReady() ? tr("Compare the values. They are entered into the site as one step that can be undone.")
+                         : tr("The drive was too short, or turned too little: press Record and go on.");
 }
 
 QString CalibratePanel::progress() const {
@@ -125,8 +137,6 @@ QString CalibratePanel::progress() const {
   if (result == nullptr) return line + QLatin1Char(' ') + text(work_.problem());
   if (result->outliers > 0)
     line += QLatin1Char(' ') + tr("%n read(s) fit nothing and hardly count.", nullptr, result->outliers);
-  if (drive.turned().value() < kEnoughTurns * kPi)
-    line += QLatin1Char(' ') + tr("Offsets are told apart from the way by turning: let it turn more.");
   return line;
 }
 
@@ -140,8 +150,9 @@ void CalibratePanel::refresh() {
   record_->setIcon(icon(work_.isRecording() ? QStringLiteral("pause") : QStringLiteral("run")));
   reset_->setEnabled(!work_.drive().motions().empty());
   figure_->setEnabled(!document_.site().placements.empty());
-  accept_->setEnabled(tells() && work_.setup() != nullptr);
-  wheels_->setEnabled(accept_->isEnabled());
+  accept_->setEnabled(work_.isReady());
+  wheels_->setEnabled(work_.areWheelsReady());
+  missing_->setText(whatIsMissing());
   fillTable();
 }
 
@@ -175,9 +186,9 @@ void CalibratePanel::fillTable() {
     const auto& found = result->readers[r];
     const int number = static_cast<int>(r) + 1;
     setRow(row++, tr("Reader %1, ahead (mm)").arg(number), kMmPerM * setup->readers[r].x.value(),
-           kMmPerM * found.mount.x.value(), kMmPerM * found.sigmaAhead.value(), 1, isDetermined(found));
+           kMmPerM * found.mount.x.value(), kMmPerM * found.sigmaAhead.value(), 1, calibrate::isDetermined(found));
     setRow(row++, tr("Reader %1, to the left (mm)").arg(number), kMmPerM * setup->readers[r].y.value(),
-           kMmPerM * found.mount.y.value(), kMmPerM * found.sigmaAside.value(), 1, isDetermined(found));
+           kMmPerM * found.mount.y.value(), kMmPerM * found.sigmaAside.value(), 1, calibrate::isDetermined(found));
   }
   const double diameter = kMmPerM * setup->wheelDiameter.value();
   setRow(row, tr("Diameter of the wheels (mm)"), diameter, diameter * result->wheelScale, diameter * result->wheelSigma,

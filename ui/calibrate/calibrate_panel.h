@@ -38,7 +38,7 @@ private:
   [[nodiscard]] QString name() const;
   [[nodiscard]] QString whatNow() const;
   [[nodiscard]] QString progress() const;
-  [[nodiscard]] bool tells() const;
+  [[nodiscard]] QString whatIsMissing() const;
 
   Calibration& work_;
   QLabel* progress_ = nullptr;
@@ -47,6 +47,7 @@ private:
   QPushButton* reset_ = nullptr;
   QPushButton* accept_ = nullptr;
   QCheckBox* wheels_ = nullptr;
+  QLabel* missing_ = nullptr;
   QTableWidget* table_ = nullptr;
 };
 

@@ -35,10 +35,6 @@ std::optional<Box> boxOfFloor(const floor::Site& site) {
 
 }  // namespace
 
-bool isDetermined(const calibrate::CalibratedReader& reader) {
-  return reader.sigmaAhead < calibrate::kUndetermined && reader.sigmaAside < calibrate::kUndetermined;
-}
-
 Calibration::Calibration(FleetLink& fleet, SiteDocument& document) : fleet_{fleet}, document_{document} {
   soon_.setSingleShot(true);
   soon_.setInterval(kEstimateEveryMs);
@@ -135,8 +131,15 @@ void Calibration::estimate() {
   Q_EMIT changed();
 }
 
+bool Calibration::isReady() const {
+  return result_ && setup() != nullptr && calibrate::lacking(drive_, *result_) == calibrate::Lacking::Nothing;
+}
+
+bool Calibration::areWheelsReady() const { return isReady() && result_->wheelSigma < calibrate::kWellKnownScale; }
+
 Result<void> Calibration::accept(bool wheels) {
-  if (!result_ || !vehicle_) return {};
+  if (!isReady()) return {};
+  wheels = wheels && areWheelsReady();
   const calibrate::Calibration found = *result_;
   const VehicleId id = *vehicle_;
   stop();
@@ -144,7 +147,7 @@ Result<void> Calibration::accept(bool wheels) {
     for (floor::VehicleSetup& v : site.vehicles) {
       if (v.id != id || v.readers.size() != found.readers.size()) continue;
       for (std::size_t r = 0; r < v.readers.size(); ++r) {
-        if (!isDetermined(found.readers[r])) continue;
+        if (!calibrate::isDetermined(found.readers[r])) continue;
         // To the tenth of a millimetre: nobody knows it better.
         const auto rounded = [](Metres m) { return Metres{std::round(m.value() * 1e4) / 1e4}; };
         v.readers[r] = {rounded(found.readers[r].mount.x), rounded(found.readers[r].mount.y)};

@@ -34,7 +34,11 @@ public:
   [[nodiscard]] const Sentence& problem() const { return problem_; }
   /// As it stands in the site; nullptr: no longer there.
   [[nodiscard]] const floor::VehicleSetup* setup() const;
-  /// Readers that the drive tells of, and the wheels if they are to be: as one step of the site.
+  /// What was found is known well enough to be entered.
+  [[nodiscard]] bool isReady() const;
+  [[nodiscard]] bool areWheelsReady() const;
+  /// Readers that the drive tells of, and the wheels if they are to be: as one step of the site. Of what is not ready,
+  /// nothing.
   Result<void> accept(bool wheels);
   /// A route for the drive, as one step of the site; its name. Error: no floor with room for it.
   Result<QString> drawFigure();
@@ -59,8 +63,5 @@ private:
   QElapsedTimer asked_;
   QTimer soon_;
 };
-
-/// The drive tells of this reader's offset.
-[[nodiscard]] bool isDetermined(const calibrate::CalibratedReader& reader);
 
 }  // namespace tessera::ui

@@ -44,7 +44,8 @@ protected:
   void resizeEvent(QResizeEvent* event) override;
 
 private:
-  enum Row { Locator, Place, Doubt, Report, Predicted, Delay, Aim, Reads, Contradicted, Fit, Error, Rows };
+  /// What is judged by comes first: in a low window the list goes on below the edge.
+  enum Row { Place, Doubt, Fit, Error, Contradicted, Reads, Report, Predicted, Delay, Aim, Locator, Rows };
 
   void build();
   void retranslate();

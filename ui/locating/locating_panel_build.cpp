@@ -11,8 +11,8 @@
 namespace tessera::ui {
 namespace {
 
-constexpr std::array kRowNames{"Locator", "Place", "Doubt",        "Report", "Predicted", "Delay",
-                               "Aim",     "Reads", "Contradicted", "Fit",    "Error"};
+constexpr std::array kRowNames{"Place",  "Doubt",     "Fit",   "Error", "Contradicted", "Reads",
+                               "Report", "Predicted", "Delay", "Aim",   "Locator"};
 
 }  // namespace
 
@@ -32,7 +32,10 @@ void LocatingPanel::build() {
   bar->addWidget(reset_);
 
   auto* content = new QWidget;
-  auto* form = new QFormLayout;
+  // The content's own layout and not one within another: the scroll area asks for the new height of a text that wraps
+  // anew before layouts within are told that it has changed.
+  auto* form = new QFormLayout{content};
+  form->setContentsMargins(0, 0, 0, 0);
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   for (std::size_t i = 0; i < Rows; ++i) {
@@ -44,10 +47,7 @@ void LocatingPanel::build() {
     values_[i]->setTextInteractionFlags(Qt::TextSelectableByMouse);
     form->addRow(names_[i], values_[i]);
   }
-  auto* column = new QVBoxLayout{content};
-  column->setContentsMargins(0, 0, 0, 0);
-  column->addLayout(form);
-  column->addStretch();
+  form->addItem(new QSpacerItem{0, 0, QSizePolicy::Minimum, QSizePolicy::Expanding});
   auto* scroll = new QScrollArea;
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidgetResizable(true);
@@ -94,12 +94,10 @@ void LocatingPanel::retranslate() {
          "the vehicle in 95 of 100 cases."));
   reset_->setToolTip(tr("Forget the reads and errors so far and count anew"));
   reset_->setAccessibleName(tr("Count anew"));
-  const std::array texts{tr("Locator"),           tr("Place"),
-                         tr("Doubt (1 σ)"),       tr("Last report"),
-                         tr("Predicted"),         tr("Delay"),
-                         tr("Looks ahead to"),    tr("Last reads"),
-                         tr("Contradictions"),    tr("Fit of the reads"),
-                         tr("Error (simulation)")};
+  const std::array texts{tr("Place"),          tr("Doubt (1 σ)"),    tr("Fit of the reads"), tr("Error (simulation)"),
+                         tr("Contradictions"), tr("Last reads"),     tr("Last report"),      tr("Predicted"),
+                         tr("Delay"),          tr("Looks ahead to"), tr("Locator")};
+  static_assert(kRowNames.size() == Rows && texts.size() == Rows);
   for (std::size_t i = 0; i < Rows; ++i) names_[i]->setText(texts[i]);
   chart_->retranslate();
   refresh();

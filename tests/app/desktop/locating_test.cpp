@@ -35,6 +35,12 @@ TEST_F(LocatingInWindow, showsHowADrivingVehicleIsLocatedAndHowWrongThatIs) {
   EXPECT_TRUE(until([&] { return find<QLabel>("locatingError")->text().contains("NEES"); }));
   for (const char* language : {"en", "zh_CN"}) {
     window->setLanguage(QString::fromLatin1(language));
+    for (const char* row : {"locatingFit", "locatingError", "locatingContradicted"})
+      EXPECT_TRUE(until([&] {
+        const auto* label = find<QLabel>(row);
+        return label->visibleRegion().boundingRect() == label->rect();
+      })) << row
+          << " is to be seen without scrolling, in " << language;
     window->canvas().centreOn(vehicle().pose.position);
     for (int i = 0; i < 4; ++i) window->canvas().zoomIn();
     window->canvas().finishDrawing();

@@ -74,11 +74,12 @@ protected:
   [[nodiscard]] bool soon(const QString& start) {
     return QTest::qWaitFor([&] { return hint().startsWith(start); });
   }
-  void drive(const std::string& route) {
+  void drive(const std::string& route) { drive(document.map()->route(route)->vertices); }
+  void drive(const std::vector<Point>& way) {
     test::DriveOptions options;
     options.speedNoise = 0.03;
     Feeder feeder{fleet, *document.map()};
-    (void)test::drive(*document.map(), trueReaders(), document.map()->route(route)->vertices, options, feeder);
+    (void)test::drive(*document.map(), trueReaders(), way, options, feeder);
   }
 
   FakeFleet fleet;
@@ -141,6 +142,49 @@ TEST_F(Calibrating, findsWhereTheReadersSitAndEntersThemAsOneStep) {
   EXPECT_EQ(document.site(), drawn);
   document.undoStack().undo();
   EXPECT_EQ(document.site(), before);
+}
+
+TEST_F(Calibrating, entersNothingThatIsNotKnownWellEnoughAndSaysWhatIsMissing) {
+  fleet.show(fakeSnapshot(1));
+  selection.setVehicle(VehicleId{1});
+  click("drawFigure");
+  const floor::Site drawn = document.site();
+  const auto expectNothingToEnter = [&](const QString& missing) {
+    ASSERT_NE(work.result(), nullptr);
+    EXPECT_TRUE(find<QLabel>("calibrateMissing")->text().startsWith(missing))
+        << find<QLabel>("calibrateMissing")->text().toStdString();
+    EXPECT_FALSE(find<QPushButton>("acceptCalibration")->isEnabled());
+    EXPECT_FALSE(find<QCheckBox>("acceptWheels")->isEnabled());
+    EXPECT_TRUE(hint().startsWith("The drive was too short, or turned too little")) << hint().toStdString();
+    click("acceptCalibration");
+    EXPECT_TRUE(work.accept(true));
+    EXPECT_EQ(document.site(), drawn);
+  };
+  std::vector<Point> beginning = document.map()->route("Calibration")->vertices;
+  beginning.resize(4);
+  click("recordCalibration");
+  drive(beginning);
+  click("recordCalibration");
+  expectNothingToEnter("Not known well enough yet: let it make 3 half turns at least.");
+  look::take(panel, QStringLiteral("calibrate-poor"));
+
+  // To and fro past the same tags: it turns often enough, and learns little.
+  click("resetCalibration");
+  EXPECT_EQ(find<QLabel>("calibrateMissing")->text(), "");
+  click("recordCalibration");
+  std::vector<Point> line;
+  for (int leg = 0; leg < 7; ++leg) line.push_back({Metres{0.6}, Metres{leg % 2 == 0 ? 0.4 : 1.3}});
+  drive(line);
+  click("recordCalibration");
+  expectNothingToEnter("Not known well enough yet: drive on until the offsets' deviations are below ± 8.0 mm.");
+
+  click("resetCalibration");
+  click("recordCalibration");
+  drive("Calibration");
+  click("recordCalibration");
+  EXPECT_EQ(find<QLabel>("calibrateMissing")->text(), "");
+  EXPECT_TRUE(find<QPushButton>("acceptCalibration")->isEnabled());
+  EXPECT_TRUE(find<QCheckBox>("acceptWheels")->isEnabled());
 }
 
 TEST_F(Calibrating, leavesTheWheelsAloneUnlessTold) {

@@ -155,6 +155,36 @@ TEST_F(Locating, AsksTheWorldForTheTruthWhereThereIsOne) {
     EXPECT_TRUE(std::holds_alternative<Watch>(order)) << "the supervision learns nothing";
 }
 
+// As it lies in the window at the size that this opens with, with the longest that there is to say.
+TEST_F(Locating, ShowsTheStatisticsWithoutScrollingWhereItLiesLow) {
+  panel.resize(1000, 210);
+  watch();
+  truth.there = true;
+  std::vector<locate::Innovation> many;
+  for (int i = 0; i < 25; ++i) many.push_back(innovationAt(8.0 + 0.1 * i, 12.0));
+  auto snapshot = watchedSnapshot(10.1, 1.0, many);
+  snapshot.vehicles[0].doubted = true;
+  fleet.show(snapshot);
+  for (int i = 0; i < 20; ++i) {
+    truth.tell({VehicleId{1}, Seconds{10.05 + 0.1 * i}, {{Metres{1.0}, Metres{0.512}}, {}}});
+    snapshot = watchedSnapshot(10.2 + 0.1 * i, 1.0);
+    snapshot.vehicles[0].doubted = true;
+    fleet.show(snapshot);
+  }
+  ASSERT_TRUE(QTest::qWaitFor([&] { return text("locatingFit").startsWith("worse than expected"); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return text("locatingError").startsWith("now 11.2 cm"); }))
+      << text("locatingError").toStdString();
+  for (const char* row : {"locatingPlace", "locatingDoubt", "locatingFit", "locatingError", "locatingContradicted"}) {
+    const auto* label = panel.findChild<QLabel*>(QLatin1String{row});
+    // A text that wraps anew is laid out a moment later.
+    EXPECT_TRUE(QTest::qWaitFor([&] {
+      return label->height() >= label->heightForWidth(label->width()) &&
+             label->visibleRegion().boundingRect() == label->rect();
+    })) << row;
+  }
+  look::take(panel, QStringLiteral("locating-low"));
+}
+
 TEST_F(Locating, DrawsUponTheFloorWhatIsChosen) {
   FloorCanvas canvas;
   canvas.resize(700, 500);
