@@ -244,10 +244,11 @@ bool isDetermined(const CalibratedReader& reader) {
 
 Lacking lacking(const DriveRecord& drive, const Calibration& found) {
   if (drive.turned() < Radians{kFewestHalfTurns * kPi}) return Lacking::Turns;
-  // A reader that reads nothing at all keeps no other waiting.
+  // A reader that is as good as dead keeps no other waiting.
+  constexpr int kReadsOfADeadOne = 3;
   int known = 0;
   for (const CalibratedReader& reader : found.readers) {
-    if (!isDetermined(reader)) continue;
+    if (reader.reads < kReadsOfADeadOne) continue;
     if (std::max(reader.sigmaAhead, reader.sigmaAside) >= kWellKnown) return Lacking::Drive;
     ++known;
   }

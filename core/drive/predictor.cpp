@@ -15,9 +15,9 @@ constexpr double kLeaveStand = 0.035;       // ... and from which one begins
 constexpr double kStopHardness = 3.0;       // times the usual ramps, where no command is in force
 constexpr double kDoubtPerMetre = 0.05;     // of the way rolled: the vehicle never does quite what the model says
 
-double turnAcceleration(const VehicleAbility& ability) {
-  return 2.0 * ability.acceleration.value() / std::max(ability.track.value(), 1e-3);
-}
+double halfTrack(const VehicleAbility& ability) { return 0.5 * std::max(ability.track.value(), 1e-3); }
+
+double turnAcceleration(const VehicleAbility& ability) { return ability.acceleration.value() / halfTrack(ability); }
 
 double towards(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
 
@@ -39,11 +39,11 @@ Wish wishFor(const Command& command, double error, bool& turning, const VehicleA
   if (onTheSpot && !turning) return {};
   const double rate =
       std::min({ability.headingGain * size, std::sqrt(2.0 * kBrakingShare * turnAcceleration(ability) * size),
-                ability.maxTurnRate.value(), ability.maxSpeed.value() / (0.5 * ability.track.value())});
+                ability.maxTurnRate.value(), ability.maxSpeed.value() / halfTrack(ability)});
   const double easy = ability.fullSpeedError.value();
   const double turnFirst = std::max(ability.turnFirstError.value(), easy + 1e-6);
   const double share = turning ? 0.0 : std::clamp((turnFirst - size) / (turnFirst - easy), 0.0, 1.0);
-  const double room = std::max(0.0, ability.maxSpeed.value() - 0.5 * rate * ability.track.value());
+  const double room = std::max(0.0, ability.maxSpeed.value() - rate * halfTrack(ability));
   return {std::clamp(command.speed.value() * share, -room, room), std::copysign(rate, error)};
 }
 

@@ -103,6 +103,7 @@ private:
   void hear(const wire::Frame& frame);
   void hearReport(std::size_t index, const wire::Report& report, std::size_t frameBytes);
   void hearIdentity(std::size_t index, const HeardIdentity& heard, std::size_t frameBytes);
+  void cameUnlessCalled(std::size_t index);
   void timeCall(Peer& peer, std::uint32_t nonce, std::size_t frameBytes);
   void hearHail(std::size_t index, const HeardHail& heard);
   void hearValue(std::size_t index, const wire::Value& value);

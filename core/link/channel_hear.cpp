@@ -58,6 +58,12 @@ void Channel::came(std::size_t index, std::optional<std::uint16_t> ack) {
     if (flight_->answers[k].peer == index) flight_->answers[k].came = true;
 }
 
+// Of what is no answer to a call: it answers an earlier probe, or comes from a stranger, and the call's own answer may
+// be under way.
+void Channel::cameUnlessCalled(std::size_t index) {
+  if (flight_ && flight_->kind != Turn::Kind::Call) came(index, std::nullopt);
+}
+
 void Channel::hearIdentity(std::size_t index, const HeardIdentity& heard, std::size_t frameBytes) {
   Peer& peer = peers_[index];
   timeCall(peer, heard.identity.hostNonce, frameBytes);
@@ -85,8 +91,7 @@ void Channel::timeCall(Peer& peer, std::uint32_t nonce, std::size_t frameBytes) 
 
 void Channel::hearHail(std::size_t index, const HeardHail& heard) {
   Peer& peer = peers_[index];
-  // A call is not answered with it: it answers an earlier probe then, and the call's own answer may be under way.
-  if (flight_ && flight_->kind != Turn::Kind::Call) came(index, std::nullopt);
+  cameUnlessCalled(index);
   peer.silent = false;
   peer.callsMade = 0;
   peer.calls.reset(lastByte_);
@@ -141,7 +146,7 @@ void Channel::disbelieve(std::size_t index, Disbelief why) {
   const VehicleId vehicle = peer.session.vehicle();
   switch (why) {
     case Disbelief::WrongKey:
-      came(index, std::nullopt);
+      cameUnlessCalled(index);
       events_.emplace_back(WrongKey{vehicle});
       return;
     case Disbelief::Stale:

@@ -72,8 +72,9 @@ private:
   std::size_t at_ = 0;
 };
 
-/// The last calls to a vehicle, to time their answers even when they come after the call has been repeated. Holds those
-/// of more than 5 s, at 0.2 s from one to the next; later answers are not believed to tell the way's length.
+/// The last calls to a vehicle, to time their answers even when they come after the call has been repeated. Where
+/// they leave every 0.2 s it holds those of 6 s; an answer that is later than 5 s is not believed to tell the way's
+/// length.
 class SentCalls {
 public:
   struct Call {

@@ -38,8 +38,8 @@ void CommandHistory::put(Entry entry) {
   entries_.erase(entries_.begin(), std::find_if_not(entries_.begin(), entries_.end(), old));
 }
 
-// Whether an earlier one was taken no longer matters: what is known comes from the report that tells of this one, which
-// was made after it.
+// Whether an earlier one was taken hardly matters any more: what is known comes from the report that tells of this one,
+// which was made after it.
 void CommandHistory::taken(std::uint32_t counter) {
   unanswered_ = std::max(kLeastUnanswered, unanswered_ - kLearning * unanswered_);
   const auto at = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.counter == counter; });

@@ -76,9 +76,17 @@ drive::VehicleState VehicleAgent::state() const {
           last_ && last_->report.state == wire::VehicleState::Turning};
 }
 
-// A vehicle that stands and is told nothing is where it was; most of a large fleet is, most of the time.
+bool VehicleAgent::isHeld() const {
+  using enum wire::VehicleState;
+  return last_ &&
+         (last_->report.state == Obstacle || last_->report.state == Faulted || last_->report.state == Calibrating);
+}
+
+// A vehicle that stands and is told nothing is where it was; most of a large fleet is, most of the time. One that holds
+// itself obeys nothing, whatever is under way.
 Expectation VehicleAgent::expectedAt(Seconds until) const {
   drive::VehicleState known = state();
+  if (isHeld()) return {drive::predict(known, {}, until, ability_)};
   if (history_.holdsAfter(known.at) || abs(known.speed) > kStanding || abs(known.turnRate) > kStandingTurn)
     return expectedOver(known, history_.cases(), until, ability_);
   known.at = std::max(known.at, until);

@@ -113,6 +113,8 @@ private:
   [[nodiscard]] Radians reportedHeading() const;
   [[nodiscard]] drive::VehicleState state() const;
   [[nodiscard]] Expectation expectedAt(Seconds until) const;
+  /// It last told that it stands, or brakes, of its own accord: before an obstacle, with a fault, for its compass.
+  [[nodiscard]] bool isHeld() const;
   void follow(Seconds now, const ChannelTiming& timing, EventLog& log);
   [[nodiscard]] link::Wish wishFor(const ChannelTiming& timing) const;
   void watchZones();

@@ -196,7 +196,7 @@ void VehicleAgent::take(const link::Reported& e, EventLog& log) {
   estimate_ = locator_->at(locator_->lastMotion());
   // A report does not tell how fast it turns. Where it looks as was expected, it turns as was expected.
   const bool asExpected = abs(turnBetween(expected.pose.heading, estimate_.pose.heading)) < kAsExpected;
-  turnRate_ = asExpected ? expected.turnRate : estimate_.turnRate;
+  turnRate_ = asExpected && !isHeld() ? expected.turnRate : estimate_.turnRate;
   if (magnetic_) learner_.take(moved, estimate_, *magnetic_);
   watchPlace(log);
   watchState(e.receivedAt, log);

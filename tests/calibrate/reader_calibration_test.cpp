@@ -192,6 +192,8 @@ TEST(ReaderCalibration, saysWhatADriveLacksUntilItsOffsetsAreWorthEntering) {
   }
   EXPECT_EQ(lacking(turned, found({well, well})), Lacking::Nothing);
   EXPECT_EQ(lacking(turned, found({well, poor})), Lacking::Drive) << "all of them, or the record of the other is lost";
+  const calibrate::CalibratedReader vague{{}, Metres{0.015}, Metres{0.021}, 12};
+  EXPECT_EQ(lacking(turned, found({well, vague})), Lacking::Drive) << "it will be told of soon";
   EXPECT_EQ(lacking(turned, found({well, dead})), Lacking::Nothing) << "for that one nobody waits";
   EXPECT_EQ(lacking(turned, found({dead, dead})), Lacking::Drive);
 }

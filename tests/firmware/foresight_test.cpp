@@ -27,7 +27,7 @@ public:
     const Radians middle = pose.heading + Radians{0.5 * turn};
     pose.position = pose.position + turned({Metres{static_cast<double>(m.speed) * kTick}, Metres{}}, middle);
     pose.heading = wrapped(pose.heading + Radians{turn});
-    way += static_cast<double>(m.speed) * kTick;
+    way += std::abs(static_cast<double>(m.speed)) * kTick;
   }
   Pose pose;
   double way = 0.0;
@@ -43,8 +43,11 @@ std::vector<drive::TimedCommand> commandsFrom(std::mt19937& random) {
   Radians heading{};
   for (int n = 1 + static_cast<int>(random() % 4); n > 0; --n) {
     // From the vehicle's next breath to a far corner, standing ones and the usual small corrections among them.
-    heading = wrapped(heading + Radians{(random() % 2 == 0 ? 0.3 : 3.0) * (share(random) - 0.5)});
-    const MetresPerSecond speed{random() % 4 == 0 ? 0.0 : 0.05 + 0.4 * share(random)};
+    const double widest = random() % 2 == 0 ? 0.3 : 3.0;
+    heading = wrapped(heading + Radians{widest * (share(random) - 0.5)});
+    const bool stands = random() % 4 == 0;
+    const double forwards = random() % 5 == 0 ? -1.0 : 1.0;
+    const MetresPerSecond speed{stands ? 0.0 : forwards * (0.05 + 0.4 * share(random))};
     const Seconds until = at + Seconds{std::round(100.0 * (0.1 + 1.1 * share(random))) * kTick};
     commands.push_back({{speed, heading}, at, until});
     at = until;

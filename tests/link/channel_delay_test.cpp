@@ -204,6 +204,13 @@ TEST_P(ALinkSlowerThanItsCalls, isWaitedForWhateverHailsComeMeanwhile) {
   EXPECT_TRUE(rig.runUntil([&] { return rig.count<Identified>() > 0; }, Seconds{15}));
 }
 
+TEST_P(ALinkSlowerThanItsCalls, isWaitedForWhateverComesUnderAnotherKey) {
+  ChannelRig rig{1, optionsOf({1, 19200, 1.8, 0.0, GetParam()})};
+  const FakeAir::Bytes hail = hailOf({rig.fake(1).address, {9, 9, 9}});
+  for (int i = 1; i < 100; ++i) rig.air->inject(hail, rig.air->now + i * Seconds{0.17});
+  EXPECT_TRUE(rig.runUntil([&] { return rig.count<Identified>() > 0; }, Seconds{15}));
+}
+
 INSTANTIATE_TEST_SUITE_P(Delays, ALinkSlowerThanItsCalls, ::testing::Values(0.6, 0.8, 1.0, 1.5, 2.0));
 
 TEST(DelayedLink, isNeitherOpenedNorTimedByARecordedAnswer) {

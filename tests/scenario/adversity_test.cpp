@@ -261,6 +261,7 @@ TEST_F(Adversity, anObstacleStopsTheVehicleAndItGoesOnWhenTheWayIsFree) {
   expectSentence(EventKind::Obstacle);  // the report with it comes while it brakes, or when it has
   expectItStandsBy(scenario_.lockstep().now() + toBrake());
   EXPECT_NE(scenario_.view().waits, "") << "the operator is not told why it waits";
+  EXPECT_LT(distance(scenario_.view().predicted.position, scenario_.view().pose.position), Metres{0.002});
   scenario_.world().clearObstacles();
   expectSentence(EventKind::Obstacle, true);
   expectArrival();

@@ -10,8 +10,6 @@
 namespace tessera::traffic {
 namespace {
 
-using sitecheck::at;
-
 class OneWaySites {
 public:
   explicit OneWaySites(std::uint64_t seed) : random_{seed} {}
@@ -19,7 +17,8 @@ public:
   floor::Site next() {
     floor::Site site = sitecheck::goodFloor();
     site.routes[0].vertices.clear();
-    for (int n = whole(2, 7); n > 0; --n) site.routes[0].vertices.push_back(at(onGrid(6, 54), onGrid(6, 42)));
+    for (int n = whole(2, 7); n > 0; --n)
+      site.routes[0].vertices.push_back({Metres{onGrid(6, 54)}, Metres{onGrid(6, 42)}});
     for (int n = whole(1, 3); n > 0; --n) {
       site.zones.push_back(
           sitecheck::zone("lane " + std::to_string(n), floor::ZoneKind::OneWay, outlineNear(site.routes[0].vertices)));

@@ -9,9 +9,10 @@
 namespace tessera::ui {
 namespace {
 
-constexpr double kArcFrom = 3.0;             // pixels between an arc and its vertex, to draw it at all
-constexpr Metres kSameEnd{2e-6};             // of an arc and of its chain
-constexpr std::size_t kMostCorners = 20000;  // of a route; more are not rounded here
+constexpr double kArcFrom = 3.0;            // pixels between an arc and its vertex, to draw it at all
+constexpr Metres kSameEnd{2e-6};            // of an arc and of its chain
+constexpr double kStroke = 20.0;            // pixels, more than a stroke reaches beyond its line
+constexpr std::size_t kMostCorners = 2000;  // of a route; more are not rounded here, as each paint rounds them anew
 
 QPolygonF chainOf(const Polyline& line, const RoundedLine::Arc& arc, const View& view) {
   QPolygonF chain;
@@ -25,17 +26,26 @@ QPolygonF chainOf(const Polyline& line, const RoundedLine::Arc& arc, const View&
 void paintRoundWays(QPainter& painter, const View& view, const CanvasTheme& theme, const floor::Route& route,
                     const std::vector<floor::VehicleSetup>& vehicles) {
   if (route.vertices.size() > kMostCorners) return;
-  painter.setRenderHint(QPainter::Antialiasing);
+  SiteBox box;
+  for (const Point& p : route.vertices) box.add(p);
   const QRectF window{QPointF{}, view.size()};
-  const QRectF around =
-      (painter.hasClipping() ? painter.clipBoundingRect().intersected(window) : window).adjusted(-20, -20, 20, 20);
-  std::vector<Metres> drawn;
+  const QRectF drawn = painter.hasClipping() ? painter.clipBoundingRect().intersected(window) : window;
+  SiteBox seen;
+  seen.add(view.toSite(drawn.topLeft()));
+  seen.add(view.toSite(drawn.bottomRight()));
+  seen = seen.grown(view.metres(kStroke));
+  if (!box.touches(seen)) return;
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF around = drawn.adjusted(-kStroke, -kStroke, kStroke, kStroke);
+  std::vector<Metres> cuts;
   for (const floor::VehicleSetup& vehicle : vehicles) {
     if (view.pixels(vehicle.cornerCut) < kArcFrom) continue;
-    if (std::find(drawn.begin(), drawn.end(), vehicle.cornerCut) != drawn.end()) continue;
-    drawn.push_back(vehicle.cornerCut);
+    if (std::find(cuts.begin(), cuts.end(), vehicle.cornerCut) != cuts.end()) continue;
+    cuts.push_back(vehicle.cornerCut);
     const RoundedLine way = drive::drivenWay(route, drive::abilityOf(vehicle));
     for (const RoundedLine::Arc& arc : way.arcs()) {
+      // An arc is never farther from its vertex than where it begins.
+      if (!seen.grown(arc.tangent).contains(way.drawn().at(arc.vertex))) continue;
       for (const QPolygonF& run : runsWithin(chainOf(way.line(), arc, view), around)) {
         for (const auto& [colour, width] : {std::pair{theme.halo, 4.0}, std::pair{theme.selectedRoute, 2.0}}) {
           painter.setPen(QPen{colour, width, Qt::SolidLine, Qt::SquareCap, Qt::BevelJoin});
