@@ -109,4 +109,12 @@ Metres RoundedLine::onLine(Metres along) const {
   return arc.from + (past / (2.0 * arc.tangent)) * (arc.to - arc.from);
 }
 
+std::vector<Point> verticesBetween(const Polyline& line, Metres from, Metres to) {
+  constexpr Metres kSameEnd{2e-6};  // of an arc and of its chain
+  std::vector<Point> points;
+  for (std::size_t v = line.legAt(from); v < line.vertices().size() && line.startOf(v) <= to + kSameEnd; ++v)
+    if (line.startOf(v) >= from - kSameEnd) points.push_back(line.vertices()[v]);
+  return points;
+}
+
 }  // namespace tessera

@@ -48,4 +48,7 @@ private:
   std::vector<Arc> arcs_;
 };
 
+/// The vertices of a line from one distance along it to another, both ends included where a vertex lies there.
+[[nodiscard]] std::vector<Point> verticesBetween(const Polyline& line, Metres from, Metres to);
+
 }  // namespace tessera

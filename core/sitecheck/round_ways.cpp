@@ -10,14 +10,7 @@ namespace {
 
 using floor::VehicleSetup;
 
-constexpr Metres kSameEnd{2e-6};  // of an arc and of its chain
-
-Polyline between(const Polyline& line, Metres from, Metres to) {
-  std::vector<Point> points;
-  for (std::size_t v = line.legAt(from); v < line.vertices().size() && line.startOf(v) <= to + kSameEnd; ++v)
-    if (line.startOf(v) >= from - kSameEnd) points.push_back(line.vertices()[v]);
-  return Polyline{points};
-}
+Polyline between(const Polyline& line, Metres from, Metres to) { return Polyline{verticesBetween(line, from, to)}; }
 
 }  // namespace
 

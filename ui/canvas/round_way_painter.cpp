@@ -10,14 +10,12 @@ namespace tessera::ui {
 namespace {
 
 constexpr double kArcFrom = 3.0;            // pixels between an arc and its vertex, to draw it at all
-constexpr Metres kSameEnd{2e-6};            // of an arc and of its chain
 constexpr double kStroke = 20.0;            // pixels, more than a stroke reaches beyond its line
 constexpr std::size_t kMostCorners = 2000;  // of a route; more are not rounded here, as each paint rounds them anew
 
 QPolygonF chainOf(const Polyline& line, const RoundedLine::Arc& arc, const View& view) {
   QPolygonF chain;
-  for (std::size_t v = line.legAt(arc.from); v < line.vertices().size() && line.startOf(v) <= arc.to + kSameEnd; ++v)
-    if (line.startOf(v) >= arc.from - kSameEnd) chain << view.toPixel(line.vertices()[v]);
+  for (const Point& p : verticesBetween(line, arc.from, arc.to)) chain << view.toPixel(p);
   return chain;
 }
 
